@@ -3,6 +3,7 @@ using BenchmarkDotNet.Configs;
 using Gjk.Bench.Baseline;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
+using Gjk.Core.Tests.Support;
 
 namespace Gjk.Bench.Benchmarks;
 
@@ -52,7 +53,7 @@ public class SupportAlone
     {
         int sum = 0;
         foreach (ref readonly Double3 direction in _wideDirections.AsSpan())
-            sum += HullSupport.Scan(_hull.Cells, direction);
+            sum += PlainScan.Furthest(_hull.Cells, direction);
         return sum;
     }
 

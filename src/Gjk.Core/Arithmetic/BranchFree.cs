@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>Choices by the sign of a number that no processor could predict, made by arithmetic: a wrong guess costs as
-/// much as a dozen products. Zero of either sign counts as positive, as it does for the operator &lt;.</summary>
+/// <summary>Branchless selection by sign: the sign is unpredictable, and a misprediction costs about twelve
+/// multiplications. Zero of either sign counts as positive, as it does for the operator &lt;.</summary>
 internal static class BranchFree
 {
     /// <summary>1 where x &lt; 0, else 0.</summary>

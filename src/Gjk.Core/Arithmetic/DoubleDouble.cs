@@ -3,24 +3,12 @@ namespace Gjk.Core;
 /// <summary>An unevaluated sum of two doubles, about 106 bits: what double arithmetic loses, kept. Dekker (1971) for
 /// the products, Knuth for the sums; the quotient is one Newton step. Relative error per operation below 2^-100 while
 /// nothing over- or underflows.</summary>
-internal readonly struct DoubleDouble
+internal readonly struct DoubleDouble(double high, double low = 0)
 {
     /// <summary>2^27 + 1, which splits a double into two halves of 26 bits (Dekker 1971).</summary>
     private const double Splitter = 134217729;
 
-    public readonly double High, Low;
-
-    public DoubleDouble(double value)
-    {
-        High = value;
-        Low = 0;
-    }
-
-    private DoubleDouble(double high, double low)
-    {
-        High = high;
-        Low = low;
-    }
+    public readonly double High = high, Low = low;
 
     public static implicit operator DoubleDouble(double value) => new(value);
 

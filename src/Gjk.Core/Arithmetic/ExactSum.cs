@@ -12,14 +12,11 @@ namespace Gjk.Core;
 /// underflows and nothing overflows in double, and denormal or huge inputs need no scaling. Not thread-safe: one per
 /// build.
 /// </remarks>
-internal sealed class ExactSum
+/// <param name="mostParts">How many numbers are added at most; 24 products of three floats have two parts each.</param>
+internal sealed class ExactSum(int mostParts = 48)
 {
-    private readonly double[] _parts;
+    private readonly double[] _parts = new double[mostParts];
     private int _count;
-
-    /// <param name="mostParts">How many numbers are added at most; 24 products of three floats have two parts
-    /// each.</param>
-    public ExactSum(int mostParts = 48) => _parts = new double[mostParts];
 
     /// <summary>-1, 0 or 1.</summary>
     public int Sign => _count == 0 ? 0 : Math.Sign(_parts[_count - 1]);

@@ -58,29 +58,29 @@ internal struct BodyForm
         where T : struct, ISupportMap
     {
         form = default;
-        if (ShapeTraits<T>.Of.TryGetTarget(ref shape, out RayTarget body)) form.Set(body, unit);
+        if (ShapeTraits<T>.Of.TryGetForm(ref shape, out ShapeForm body)) form.Set(body, unit);
     }
 
-    private void Set(in RayTarget body, double unit)
+    private void Set(in ShapeForm body, double unit)
     {
         Turn = body.IsPlaced ? body.Turn : QuaternionD.Identity;
-        switch (body.Form)
+        switch (body.Kind)
         {
-            case RayForm.Hull:
+            case FormKind.Hull:
                 Double3 factors = body.IsScaled ? body.Factors : new Double3(1, 1, 1);
                 SetHull(body.Hull!, factors * (1 / unit), body.IsPlaced);
                 break;
-            case RayForm.Box or RayForm.Triangle:
-                CornerCount = body.Form == RayForm.Box ? 8 : 3;
+            case FormKind.Box or FormKind.Triangle:
+                CornerCount = body.Kind == FormKind.Box ? 8 : 3;
                 break;
-            case RayForm.Ball or RayForm.Capsule or RayForm.Cylinder or RayForm.Cone or RayForm.Swollen:
+            case FormKind.Ball or FormKind.Segment or FormKind.Cylinder or FormKind.Cone or FormKind.Swollen:
                 IsRound = body.TryGetAxis(out Double3 axis);
-                IsCylinder = IsRound && body.Form == RayForm.Cylinder;
-                IsCurved = body.IsScaled || (body.Form != RayForm.Ball && body.Form != RayForm.Capsule);
+                IsCylinder = IsRound && body.Kind == FormKind.Cylinder;
+                IsCurved = body.IsScaled || (body.Kind != FormKind.Ball && body.Kind != FormKind.Segment);
                 Axis = new RotationD(Turn).Rotate(axis);
                 CornerCount = IsCurved ? 0 : IsPoint ? 1 : 2;
                 break;
-            case RayForm.Ellipsoid:
+            case FormKind.Ellipsoid:
                 IsRound = IsCurved = true;
                 HasNoAxis = !body.TryGetAxis(out axis);
                 if (!HasNoAxis) Axis = new RotationD(Turn).Rotate(axis);

@@ -33,17 +33,14 @@ internal struct BoxCore : ISupportMap, IPlainBody
 
     readonly object ILibraryShape.MakeTraits() => new PlainTraits<BoxCore>();
 
-    public readonly bool TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Of(RayForm.Box, Half.Xyz, out target);
-        return true;
-    }
+    public readonly bool TryGetForm(out ShapeForm form) =>
+        ShapeForm.Of(FormKind.Box, Half.Xyz, out form);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly RayForm GetPlain(out Double3 size)
+    public readonly FormKind GetPlain(out Double3 size)
     {
         size = Half.Xyz;
-        return RayForm.Box;
+        return FormKind.Box;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

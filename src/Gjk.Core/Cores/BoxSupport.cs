@@ -13,8 +13,8 @@ internal static unsafe class BoxSupport
         return signs;
     }
 
-    /// <summary>Bit 0, 1, 2 set where x, y, z is negative; a zero of either sign is not. Signs are read as integers:
-    /// no processor could predict a branch.</summary>
+    /// <summary>Bit 0, 1, 2 set where x, y, z is negative; a zero of either sign is not. Reads the signs as integers:
+    /// a branch would be mispredicted.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Signs(in Double3 direction)
     {

@@ -1,18 +1,11 @@
 namespace Gjk.Core;
 
 /// <summary>Any of the library's shapes that is a mesh, unscaled, with or without a margin.</summary>
-internal readonly struct HullCore : ISupportMap, ILibraryShape
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal readonly struct HullCore(ConvexHull hull, double radius, double margin) : ISupportMap, ILibraryShape
 {
-    private readonly ConvexHull _hull;
-    private readonly double _margin, _radius;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public HullCore(ConvexHull hull, double radius, double margin)
-    {
-        _hull = hull;
-        _margin = margin;
-        _radius = radius;
-    }
+    private readonly ConvexHull _hull = hull;
+    private readonly double _margin = margin, _radius = radius;
 
     public Double3 Center => _hull.Center;
 
@@ -22,11 +15,8 @@ internal readonly struct HullCore : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<HullCore>();
 
-    public bool TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Of(_hull, out target);
-        return true;
-    }
+    public bool TryGetForm(out ShapeForm form) =>
+        ShapeForm.Of(_hull, out form);
 
     public int Support(in Double3 direction, out Double3 point)
     {
@@ -37,8 +27,7 @@ internal readonly struct HullCore : ISupportMap, ILibraryShape
 
     public bool TryGetVertex(int id, out Double3 point)
     {
-        bool found = (uint)id < (uint)_hull.VertexCount;
-        _hull.GetVertex(found ? id : 0, out point);
+        bool found = _hull.TryGetVertex(id, out point);
         point -= _hull.Center;
         return found;
     }

@@ -75,11 +75,11 @@ internal sealed class Placement
 
     /// <summary>What a ray sees of a core, moved to where it is in the shape's frame.</summary>
     /// <returns>False where it is turned already.</returns>
-    public bool TryPlace(ref RayTarget target)
+    public bool TryPlace(ref ShapeForm form)
     {
-        target.Center = Center;
-        target.CenterError = _matrix.Rotate(target.CenterError) + _centerError;
-        return target.Place(Rotation);
+        form.Center = Center;
+        form.CenterError = _matrix.Rotate(form.CenterError) + _centerError;
+        return form.Place(Rotation);
     }
 
     /// <summary>Whether both place equal cores at the same poses.</summary>

@@ -44,11 +44,8 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
 
     readonly object ILibraryShape.MakeTraits() => new LibraryTraits<SegmentCore>();
 
-    public readonly bool TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Capsule(_first.Xyz, _second.Xyz, default, _margin, out target);
-        return true;
-    }
+    public readonly bool TryGetForm(out ShapeForm form) =>
+        ShapeForm.Capsule(_first.Xyz, _second.Xyz, default, _margin, out form);
 
     /// <summary>Both ends, or the point, whichever the direction.</summary>
     public readonly void GetFace(in Double3 direction, ref FaceCorners corners)

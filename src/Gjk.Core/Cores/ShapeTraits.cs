@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>What a type of shape can do besides <see cref="ISupportMap"/>: the one place that queries ask, on every
-/// target. A user's type can do nothing more.</summary>
+/// form. A user's type can do nothing more.</summary>
 /// <remarks>A struct of a type that is not known can only be cast to an interface through a copy on the heap, so it is
 /// done once for each type: the shape makes an object that calls it by its own type. Compilers that optimize see
 /// through it.</remarks>
@@ -39,18 +39,14 @@ internal class ShapeTraits<T>
         return shape;
     }
 
-    /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
-    public virtual bool TryGetTarget(ref T shape, out RayTarget target)
-    {
-        target = default;
-        return false;
-    }
+    /// <inheritdoc cref="ILibraryShape.TryGetForm"/>
+    public virtual bool TryGetForm(ref T shape, out ShapeForm form) => ShapeForm.None(out form);
 
     /// <inheritdoc cref="IPlainBody.GetPlain"/>
-    public virtual RayForm GetPlain(ref T shape, out Double3 size)
+    public virtual FormKind GetPlain(ref T shape, out Double3 size)
     {
         size = default;
-        return RayForm.None;
+        return FormKind.None;
     }
 }
 
@@ -62,7 +58,7 @@ internal interface ILibraryShape : ISupportMap
 
     /// <summary>What a ray sees of it.</summary>
     /// <returns>False where it is none of the bodies that a ray meets in closed form.</returns>
-    bool TryGetTarget(out RayTarget target);
+    bool TryGetForm(out ShapeForm form);
 }
 
 /// <summary>A shape that may be placed.</summary>
@@ -81,39 +77,30 @@ internal interface IPlainBody : ILibraryShape
 {
     /// <summary>Which body it is: a ball, a box or hull (its margin apart), or None for everything else.</summary>
     /// <param name="size">The ball's radius, three times; or half the box's sides.</param>
-    RayForm GetPlain(out Double3 size);
+    FormKind GetPlain(out Double3 size);
 }
 
 /// <inheritdoc/>
-internal class LibraryTraits<T> : ShapeTraits<T>
+/// <param name="isTight">False where the radius may be as generous as that of a shape inside.</param>
+internal class LibraryTraits<T>(bool isTight = true) : ShapeTraits<T>
     where T : struct, ISupportMap, ILibraryShape
 {
-    private readonly bool _isTight;
+    protected override bool IsTight => isTight;
 
-    /// <summary>Of a shape whose radius is tight, or is as tight as that of the shape inside.</summary>
-    public LibraryTraits(bool isTight = true) => _isTight = isTight;
-
-    protected override bool IsTight => _isTight;
-
-    public override bool TryGetTarget(ref T shape, out RayTarget target) => shape.TryGetTarget(out target);
+    public override bool TryGetForm(ref T shape, out ShapeForm form) => shape.TryGetForm(out form);
 }
 
 /// <inheritdoc/>
 internal sealed class PlainTraits<T> : LibraryTraits<T>
     where T : struct, ISupportMap, IPlainBody
 {
-    public override RayForm GetPlain(ref T shape, out Double3 size) => shape.GetPlain(out size);
+    public override FormKind GetPlain(ref T shape, out Double3 size) => shape.GetPlain(out size);
 }
 
 /// <inheritdoc/>
-internal class PlacedTraits<T> : LibraryTraits<T>
+internal class PlacedTraits<T>(bool isTight) : LibraryTraits<T>(isTight)
     where T : struct, ISupportMap, IPlacedShape<T>
 {
-    public PlacedTraits(bool isTight)
-        : base(isTight)
-    {
-    }
-
     protected override bool MayBePlaced => true;
 
     public override bool IsPlaced(ref T shape) => shape.IsPlaced;

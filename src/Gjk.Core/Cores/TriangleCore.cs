@@ -36,11 +36,8 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
     readonly object ILibraryShape.MakeTraits() => new LibraryTraits<TriangleCore>();
 
-    public readonly bool TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Triangle(_first.Xyz, _second.Xyz, _third.Xyz, default, out target);
-        return true;
-    }
+    public readonly bool TryGetForm(out ShapeForm form) =>
+        ShapeForm.Triangle(_first.Xyz, _second.Xyz, _third.Xyz, default, out form);
 
     public readonly void GetFace(in Double3 direction, ref FaceCorners corners) =>
         Face(_first.Xyz, _second.Xyz, _third.Xyz, direction, ref corners);
@@ -85,7 +82,7 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
             : FurthestInUnits(ux, uy, uz, vx, vy, vz, direction);
     }
 
-    /// <summary>By the dot products with the direction, which no processor could predict.</summary>
+    /// <summary>By the dot products with the direction; branchless, because their signs are unpredictable.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Furthest(double second, double third)
     {

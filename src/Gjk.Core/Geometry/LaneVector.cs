@@ -1,18 +1,10 @@
 namespace Gjk.Core;
 
 /// <summary>A vector with a 0 behind it, so that it can be read as a register of four doubles.</summary>
-internal struct LaneVector
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal struct LaneVector(in Double3 v)
 {
-    public double X, Y, Z, End;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public LaneVector(in Double3 v)
-    {
-        X = v.X;
-        Y = v.Y;
-        Z = v.Z;
-        End = 0;
-    }
+    public double X = v.X, Y = v.Y, Z = v.Z, End = 0;
 
     public readonly Double3 Xyz
     {

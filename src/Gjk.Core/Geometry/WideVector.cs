@@ -5,17 +5,10 @@ namespace Gjk.Core;
 
 /// <summary>A vector of each of four pairs, one pair per lane. Every operation is that of <see cref="Double3"/>,
 /// product by product and sum by sum, so a lane has the bits that its pair would have alone.</summary>
-internal readonly struct WideVector
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal readonly struct WideVector(Lanes x, Lanes y, Lanes z)
 {
-    public readonly Lanes X, Y, Z;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public WideVector(Lanes x, Lanes y, Lanes z)
-    {
-        X = x;
-        Y = y;
-        Z = z;
-    }
+    public readonly Lanes X = x, Y = y, Z = z;
 
     public Lanes LengthSquared
     {

@@ -195,6 +195,14 @@ public sealed class ConvexHull
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void GetVertex(int id, out Double3 point) => Vertices.GetVertex(id, out point);
 
+    /// <summary>A corner; some corner where there is none with the id.</summary>
+    internal bool TryGetVertex(int id, out Double3 point)
+    {
+        bool found = (uint)id < (uint)VertexCount;
+        GetVertex(found ? id : 0, out point);
+        return found;
+    }
+
     private static Vector3[] CheckedCopy(IReadOnlyList<Vector3> points)
     {
         string? reason = Refusal(Guard.NotNull(points, nameof(points)), out Vector3[] cloud);

@@ -5,30 +5,19 @@ namespace Gjk.Core;
 /// <remarks>A cap that a program computed by sine and cosine, or that was turned in float, is flat to the eye and a fan
 /// of tilted triangles to exact predicates; a body that stands on it needs all of its rim. The corners stay the hull's
 /// own, so contact points lie on the hull whatever was joined.</remarks>
-internal sealed class HullFaces
+/// <param name="hull">Whose faces these are; its corners and neighbours are there already.</param>
+/// <param name="regions">Its triangles, joined.</param>
+internal sealed class HullFaces(ConvexHull hull, FaceRegions regions)
 {
-    private readonly ConvexHull _hull;
 
     /// <summary>The corners of face i are those from FaceStart[i] up to, not including, FaceStart[i + 1].</summary>
-    private readonly int[] _faceStart, _corners;
+    private readonly int[] _faceStart = regions.FaceStart, _corners = regions.Corners;
 
     /// <summary>Of unit length, outward.</summary>
-    private readonly Double3[] _normals;
+    private readonly Double3[] _normals = regions.Normals;
 
     /// <summary>The faces at vertex i are those from VertexStart[i] up to, not including, VertexStart[i + 1].</summary>
-    private readonly int[] _vertexStart, _vertexFaces;
-
-    /// <param name="hull">Whose faces these are; its corners and neighbours are there already.</param>
-    /// <param name="regions">Its triangles, joined.</param>
-    public HullFaces(ConvexHull hull, FaceRegions regions)
-    {
-        _hull = hull;
-        _faceStart = regions.FaceStart;
-        _corners = regions.Corners;
-        _normals = regions.Normals;
-        _vertexStart = regions.VertexStart;
-        _vertexFaces = regions.VertexFaces;
-    }
+    private readonly int[] _vertexStart = regions.VertexStart, _vertexFaces = regions.VertexFaces;
 
     /// <summary>How many there are.</summary>
     public int Count => _normals.Length;
@@ -64,18 +53,18 @@ internal sealed class HullFaces
     /// <summary>The most level edge at a vertex, or the vertex.</summary>
     private void GetEdge(int vertex, in Double3 direction, ref FaceCorners corners)
     {
-        _hull.GetVertex(vertex, out Double3 point);
+        hull.GetVertex(vertex, out Double3 point);
         int end = -1;
         double least = double.PositiveInfinity;
         Double3 up = corners.SeenFrom(direction);
-        for (int i = _hull.NeighborStart[vertex]; i < _hull.NeighborStart[vertex + 1]; i++)
+        for (int i = hull.NeighborStart[vertex]; i < hull.NeighborStart[vertex + 1]; i++)
         {
-            _hull.GetVertex(_hull.Neighbors[i], out Double3 other);
+            hull.GetVertex(hull.Neighbors[i], out Double3 other);
             Double3 edge = corners.Seen(other - point);
             double rise = FaceTilt.Rise(edge, up);
             if (!FaceTilt.IsLevelEdge(edge, up) || rise >= least) continue;
             least = rise;
-            end = _hull.Neighbors[i];
+            end = hull.Neighbors[i];
         }
 
         Add(end < 0 ? vertex : Math.Min(vertex, end), ref corners);
@@ -84,7 +73,7 @@ internal sealed class HullFaces
 
     private void Add(int id, ref FaceCorners corners)
     {
-        _hull.GetVertex(id, out Double3 point);
-        corners.Add(point - _hull.Center, id);
+        hull.GetVertex(id, out Double3 point);
+        corners.Add(point - hull.Center, id);
     }
 }

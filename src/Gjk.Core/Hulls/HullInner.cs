@@ -11,15 +11,11 @@ internal static class HullInner
     public static double Radius(ConvexHull hull)
     {
         if (hull.Dimension < 3) return 0;
-        double least = hull.BoundingRadius, unit = 1 / PowerOfTwo.AtMost(least);
+        double least = hull.BoundingRadius;
         for (int i = 0; i < hull.TriangleCount; i++)
         {
-            hull.GetTriangle(i, out int a, out int b, out int c);
-            hull.GetVertex(a, out Double3 origin);
-            hull.GetVertex(b, out Double3 second);
-            hull.GetVertex(c, out Double3 third);
-            Double3 normal = VectorDD.Normal(origin * unit, second * unit, third * unit);
-            least = Math.Min(least, Double3.Dot(normal, origin - hull.Center) / normal.Length);
+            Double3 normal = HullPlanes.Normal(hull, i, out Double3 corner);
+            least = Math.Min(least, Double3.Dot(normal, corner) / normal.Length);
         }
 
         return least * (least > 0 ? RoundingDown : 2 - RoundingDown);

@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// the ratio of its size to the depth of a point inside: the hull grown about that point by 1 + e / depth holds all of
 /// it. So a hull without a point that is deep enough has no planes.</para>
 /// </remarks>
-internal sealed class HullPlanes
+internal sealed class HullPlanes(double[] blocks)
 {
     /// <summary>Planes in a block: the lanes of a 256-bit register of doubles.</summary>
     public const int Lanes = 4;
@@ -38,9 +38,7 @@ internal sealed class HullPlanes
 
     /// <summary>Blocks of four: x, x, x, x, y, y, y, y, z, z, z, z and the offsets. The normals are of unit length. The
     /// last block is filled up with copies of its first plane.</summary>
-    public readonly double[] Blocks;
-
-    private HullPlanes(double[] blocks) => Blocks = blocks;
+    public readonly double[] Blocks = blocks;
 
     /// <summary>The planes of a hull.</summary>
     /// <returns>Null where it is flat or nearly so, has too many, or one of them is not certain.</returns>
@@ -79,22 +77,32 @@ internal sealed class HullPlanes
     /// <summary>The plane of a triangle, through the hull's highest corner over it.</summary>
     private static bool TryGetPlane(ConvexHull hull, int triangle, out Double3 normal, out double offset)
     {
-        hull.GetTriangle(triangle, out int a, out int b, out int c);
-        hull.GetVertex(a, out Double3 origin);
-        hull.GetVertex(b, out Double3 second);
-        hull.GetVertex(c, out Double3 third);
-        double unit = 1 / PowerOfTwo.AtMost(hull.BoundingRadius);
-        normal = VectorDD.Normal(origin * unit, second * unit, third * unit);
+        normal = Normal(hull, triangle, out Double3 corner);
         normal *= 1 / normal.Length;
-        double own = Double3.Dot(normal, origin - hull.Center);
+        double own = Double3.Dot(normal, corner);
         offset = own;
         for (int i = 0; i < hull.VertexCount; i++)
         {
-            hull.GetVertex(i, out Double3 corner);
-            offset = Math.Max(offset, Double3.Dot(normal, corner - hull.Center));
+            hull.GetVertex(i, out Double3 other);
+            offset = Math.Max(offset, Double3.Dot(normal, other - hull.Center));
         }
 
         return offset - own <= Above * hull.BoundingRadius;
+    }
+
+    /// <summary>The normal of a triangle, rounded once; its length has no meaning.</summary>
+    /// <param name="hull">Has the triangle.</param>
+    /// <param name="triangle">Its index.</param>
+    /// <param name="corner">Its first corner, measured from the hull's centre.</param>
+    public static Double3 Normal(ConvexHull hull, int triangle, out Double3 corner)
+    {
+        hull.GetTriangle(triangle, out int a, out int b, out int c);
+        hull.GetVertex(a, out Double3 first);
+        hull.GetVertex(b, out Double3 second);
+        hull.GetVertex(c, out Double3 third);
+        double unit = 1 / PowerOfTwo.AtMost(hull.BoundingRadius);
+        corner = first - hull.Center;
+        return VectorDD.Normal(first * unit, second * unit, third * unit);
     }
 
     private static bool IsKnown(

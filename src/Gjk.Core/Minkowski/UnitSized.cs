@@ -4,17 +4,11 @@ namespace Gjk.Core;
 /// the range of double. Nothing is rounded by it, so the answer has the bits that it would have if double had no
 /// limits.</summary>
 /// <typeparam name="T">The shape inside.</typeparam>
-internal readonly struct UnitSized<T> : ISupportMap, ILibraryShape
+internal readonly struct UnitSized<T>(in T inner, double factor) : ISupportMap, ILibraryShape
     where T : struct, ISupportMap
 {
-    private readonly T _inner;
-    private readonly double _factor;
-
-    public UnitSized(in T inner, double factor)
-    {
-        _inner = inner;
-        _factor = factor;
-    }
+    private readonly T _inner = inner;
+    private readonly double _factor = factor;
 
     public Double3 Center => _inner.Center * _factor;
 
@@ -25,10 +19,10 @@ internal readonly struct UnitSized<T> : ISupportMap, ILibraryShape
     object ILibraryShape.MakeTraits() => new LibraryTraits<UnitSized<T>>(ShapeTraits<T>.AreTight);
 
     /// <summary>That of the shape inside, in its units.</summary>
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
+    bool ILibraryShape.TryGetForm(out ShapeForm form)
     {
         T inner = _inner;
-        return ShapeTraits<T>.Of.TryGetTarget(ref inner, out target);
+        return ShapeTraits<T>.Of.TryGetForm(ref inner, out form);
     }
 
     public int Support(in Double3 direction, out Double3 point)

@@ -67,7 +67,7 @@ public readonly struct CastResult
     /// <summary>The same answer with A and B exchanged.</summary>
     public CastResult Swapped => new(Status, Fraction, _solved, Point, Opposite.Of(Normal), Iterations, Depth);
 
-    /// <summary>The status, and what is valid under it, for people to read.</summary>
+    /// <summary>The status and the fields that are valid with it, as text.</summary>
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(

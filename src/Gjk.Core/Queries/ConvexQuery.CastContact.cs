@@ -9,22 +9,14 @@ public static unsafe partial class ConvexQuery
     private const double AllowedSlope = 1.0 / (1 << 20);
 
     /// <summary>A contact as a cast has found it, and as it is when it has been looked at.</summary>
-    private struct SettledContact
+    private struct SettledContact(in CastResult found)
     {
-        public CastStatus Status;
-        public Vector3 Point, Normal;
+        public CastStatus Status = found.Status;
+        public Vector3 Point = found.Point, Normal = found.Normal;
         public float Depth;
 
         /// <summary>Support calls made by the looks.</summary>
         public int Iterations;
-
-        public SettledContact(in CastResult found)
-            : this()
-        {
-            Status = found.Status;
-            Point = found.Point;
-            Normal = found.Normal;
-        }
 
         /// <summary>Asks how deep the shapes overlap at the start. Where they only touch, a normal that is known
         /// stays.</summary>
@@ -97,20 +89,12 @@ public static unsafe partial class ConvexQuery
     }
 
     /// <summary>Whether a contact deepens.</summary>
-    private struct DeepeningQuestion : IPairSolver<MotionVerdict>
+    private struct DeepeningQuestion(in Double3 motion, in DeepeningPart part) : IPairSolver<MotionVerdict>
     {
-        public int Iterations;
-        private readonly Double3 _motion;
-        private readonly DeepeningPart _part;
-        private MotionVerdict _verdict;
-
-        public DeepeningQuestion(in Double3 motion, in DeepeningPart part)
-        {
-            Iterations = 0;
-            _motion = motion;
-            _part = part;
-            _verdict = MotionVerdict.Undecided;
-        }
+        public int Iterations = 0;
+        private readonly Double3 _motion = motion;
+        private readonly DeepeningPart _part = part;
+        private MotionVerdict _verdict = MotionVerdict.Undecided;
 
         readonly bool IPairSolver<MotionVerdict>.TryFormula<TA, TB>(
             ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out MotionVerdict result)

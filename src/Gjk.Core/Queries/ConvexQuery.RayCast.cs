@@ -103,23 +103,23 @@ public static partial class ConvexQuery
         ref T shape, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
         where T : struct, ISupportMap
     {
-        RayForm form = ShapeTraits<T>.Of.GetPlain(ref shape, out Double3 size);
+        FormKind form = ShapeTraits<T>.Of.GetPlain(ref shape, out Double3 size);
         hit = default;
-        bool isPlain = form == RayForm.Ball || (form == RayForm.Box && shape.Margin == 0);
+        bool isPlain = form == FormKind.Ball || (form == FormKind.Box && shape.Margin == 0);
         return (isPlain && shape.Center.SumOfMagnitudes == 0
                 && RayCaster.TryCastPlain(form, size, shape.BoundingRadius, pose, turn, line, out hit))
             || TryTarget(ref shape, pose, turn, line, out hit);
     }
 
-    /// <summary>The same for any body; a method of its own, so that the commonest do not clear its target.</summary>
+    /// <summary>The same for any body; a method of its own, so that the commonest do not clear its form.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static bool TryTarget<T>(
         ref T shape, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
         where T : struct, ISupportMap
     {
         hit = default;
-        return ShapeTraits<T>.Of.TryGetTarget(ref shape, out RayTarget target)
-            && RayCaster.TryCast(target, shape.BoundingRadius, pose, turn, line, out hit);
+        return ShapeTraits<T>.Of.TryGetForm(ref shape, out ShapeForm form)
+            && RayCaster.TryCast(form, shape.BoundingRadius, pose, turn, line, out hit);
     }
 
     /// <summary>Whether the numbers are those of a ray and a rotation.</summary>

@@ -127,11 +127,13 @@ public static unsafe partial class ConvexQuery
         cast.Status == CastStatus.Hit ? cast.At(RoundOff.Down(cast.Fraction * (1 - OneFloat))) : cast;
 
     /// <summary>When two cores that move and turn come within a tolerance.</summary>
-    private partial struct ImpactQuestion : IPairSolver<CastResult>
+    private partial struct ImpactQuestion(
+        in RigidMotion motionA, in RigidMotion motionB, float tolerance, float maxFraction, WarmStart* warm)
+        : IPairSolver<CastResult>
     {
-        private readonly WarmStart* _warm;
-        private readonly RigidMotion _motionA, _motionB;
-        private readonly float _tolerance, _maxFraction;
+        private readonly WarmStart* _warm = warm;
+        private readonly RigidMotion _motionA = motionA, _motionB = motionB;
+        private readonly float _tolerance = tolerance, _maxFraction = maxFraction < 0 ? 0 : maxFraction;
 
         private PairMotion _motion;
         private double _begin, _end, _last;
@@ -148,17 +150,6 @@ public static unsafe partial class ConvexQuery
         private bool _follows;
         private CastResult _contact, _found;
         private CastOptions _options;
-
-        public ImpactQuestion(
-            in RigidMotion motionA, in RigidMotion motionB, float tolerance, float maxFraction, WarmStart* warm)
-            : this()
-        {
-            _warm = warm;
-            _motionA = motionA;
-            _motionB = motionB;
-            _tolerance = tolerance;
-            _maxFraction = maxFraction < 0 ? 0 : maxFraction;
-        }
 
         public readonly bool IsValid => _motionA.IsValid && _motionB.IsValid && !float.IsNaN(_maxFraction);
 

@@ -11,7 +11,7 @@ internal static class CoreOf
     {
 #if NET
         if (typeof(T) == typeof(ConvexShape))
-            return (Unsafe.As<T, ConvexShape>(ref shape).Core & CoreKind.Moved) != 0;
+            return (Unsafe.As<T, ConvexShape>(ref shape).Core & FormKind.Moved) != 0;
 #endif
         return ShapeTraits<T>.CanBePlaced && ShapeTraits<T>.Of.IsPlaced(ref shape);
     }
@@ -21,21 +21,21 @@ internal static class CoreOf
     /// <typeparam name="T">The shape's type.</typeparam>
     /// <typeparam name="TOther">The type of the pair's other shape.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static CoreKind Kind<T, TOther>(ref T shape)
+    public static FormKind Kind<T, TOther>(ref T shape)
         where T : struct, ISupportMap
         where TOther : struct, ISupportMap
     {
-        if (typeof(T) == typeof(ConvexShape)) return Unsafe.As<T, ConvexShape>(ref shape).Core & ~CoreKind.Moved;
+        if (typeof(T) == typeof(ConvexShape)) return Unsafe.As<T, ConvexShape>(ref shape).Core & ~FormKind.Moved;
         if (typeof(T) == typeof(ConvexMesh)) return Unsafe.As<T, ConvexMesh>(ref shape).Core;
-        if (typeof(T) == typeof(BoxShape)) return CoreKind.Box;
-        if (typeof(T) == typeof(TriangleShape)) return CoreKind.Triangle;
+        if (typeof(T) == typeof(BoxShape)) return FormKind.Box;
+        if (typeof(T) == typeof(TriangleShape)) return FormKind.Triangle;
 
         // Two capsules of that type have a cheaper support than segments: a sign.
         return (typeof(T) == typeof(CapsuleShape) && typeof(TOther) != typeof(CapsuleShape))
             || typeof(T) == typeof(SegmentShape)
             || typeof(T) == typeof(SphereShape) || typeof(T) == typeof(PointShape)
-            ? CoreKind.Segment
-            : CoreKind.Other;
+            ? FormKind.Segment
+            : FormKind.None;
     }
 
     /// <summary>The core of a shape that is known to have it.</summary>

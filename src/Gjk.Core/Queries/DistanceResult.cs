@@ -100,7 +100,7 @@ public readonly struct DistanceResult
     internal DistanceResult WithLowerBound(float bound) => new(
         Status, Distance, bound, PointA, PointB, Normal, LocalPointA, LocalPointB, Iterations);
 
-    /// <summary>The status, and what is valid under it, for people to read.</summary>
+    /// <summary>The status and the fields that are valid with it, as text.</summary>
     public override string ToString()
     {
         if (Status is GjkStatus.Separated or GjkStatus.IterationLimit)

@@ -2,26 +2,17 @@ namespace Gjk.Core;
 
 /// <summary>The distance of a pair.</summary>
 /// <typeparam name="TTrace">Told of the walk.</typeparam>
-internal unsafe struct DistanceSolver<TTrace> : IPairSolver<DistanceResult>
+internal unsafe struct DistanceSolver<TTrace>(
+    float maxDistance, WarmStart* warm = null, FinalSimplex* simplex = null) : IPairSolver<DistanceResult>
     where TTrace : struct, IGjkTrace
 {
     /// <summary>Told of the walk.</summary>
-    public TTrace Trace;
+    public TTrace Trace = default;
 
-    private readonly float _maxDistance;
-    private readonly WarmStart* _warm;
-    private readonly FinalSimplex* _simplex;
-    private bool _areTold;
-
-    /// <summary>Null stands for a cold query, and for one whose simplex nobody wants.</summary>
-    public DistanceSolver(float maxDistance, WarmStart* warm = null, FinalSimplex* simplex = null)
-    {
-        Trace = default;
-        _maxDistance = maxDistance;
-        _warm = warm;
-        _simplex = simplex;
-        _areTold = false;
-    }
+    private readonly float _maxDistance = maxDistance;
+    private readonly WarmStart* _warm = warm;
+    private readonly FinalSimplex* _simplex = simplex;
+    private bool _areTold = false;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     bool IPairSolver<DistanceResult>.TryFormula<TA, TB>(

@@ -35,18 +35,45 @@ internal static class PairQuery
     {
         ref TA a = ref Inward(shapeA);
         ref TB b = ref Inward(shapeB);
-        if (solver.TryFormula(ref a, poseA, ref b, poseB, out result)) return;
+        if (!solver.TryFormula(ref a, poseA, ref b, poseB, out result))
+            PairQuery<TA, TB, TSolver, TResult>.Run(ref a, poseA, ref b, poseB, ref solver, ref result);
+    }
+
+    /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a
+    /// shape's own mistakes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#if NET
+    public static ref T Inward<T>(in T shape)
+        where T : struct =>
+        ref Unsafe.AsRef(in shape);
+#else
+    public static unsafe ref T Inward<T>(in T shape)
+        where T : struct
+    {
+#pragma warning disable CS8500 // The pointer is a reference again before the garbage collector may move the shape.
+        fixed (T* same = &shape) return ref *same;
+#pragma warning restore CS8500
+    }
+#endif
+}
+
+/// <summary>The road of one kind of pair, after the formulas.</summary>
+internal static class PairQuery<TA, TB, TSolver, TResult>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
+    where TSolver : struct, IPairSolver<TResult>
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Run(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, ref TResult result)
+    {
 #if NET
         bool haveCores = CoreOf.Kind<TA, TB>(ref a) switch
         {
-            CoreKind.Box => TryCores<TA, TB, BoxCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, ref result),
-            CoreKind.Hull => TryCores<TA, TB, HullCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, ref result),
-            CoreKind.Segment => TryCores<TA, TB, SegmentCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, ref result),
-            CoreKind.Triangle => TryCores<TA, TB, TriangleCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, ref result),
+            FormKind.Box => TryCores<BoxCore>(ref a, poseA, ref b, poseB, ref solver, ref result),
+            FormKind.Hull => TryCores<HullCore>(ref a, poseA, ref b, poseB, ref solver, ref result),
+            FormKind.Segment => TryCores<SegmentCore>(ref a, poseA, ref b, poseB, ref solver, ref result),
+            FormKind.Triangle => TryCores<TriangleCore>(ref a, poseA, ref b, poseB, ref solver, ref result),
             _ => false,
         };
         if (haveCores) return;
@@ -59,32 +86,22 @@ internal static class PairQuery
 #if NET
     /// <summary>Solves a pair whose first core is known, if there is a second.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool TryCores<TA, TB, TCoreA, TSolver, TResult>(
+    private static bool TryCores<TCoreA>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, ref TResult result)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TCoreA : struct, ISupportMap
-        where TSolver : struct, IPairSolver<TResult> => CoreOf.Kind<TB, TA>(ref b) switch
+        where TCoreA : struct, ISupportMap => CoreOf.Kind<TB, TA>(ref b) switch
         {
-            CoreKind.Box => SolveCores<TA, TB, TCoreA, BoxCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, out result),
-            CoreKind.Hull => SolveCores<TA, TB, TCoreA, HullCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, out result),
-            CoreKind.Segment => SolveCores<TA, TB, TCoreA, SegmentCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, out result),
-            CoreKind.Triangle => SolveCores<TA, TB, TCoreA, TriangleCore, TSolver, TResult>(
-                ref a, poseA, ref b, poseB, ref solver, out result),
+            FormKind.Box => SolveCores<TCoreA, BoxCore>(ref a, poseA, ref b, poseB, ref solver, out result),
+            FormKind.Hull => SolveCores<TCoreA, HullCore>(ref a, poseA, ref b, poseB, ref solver, out result),
+            FormKind.Segment => SolveCores<TCoreA, SegmentCore>(ref a, poseA, ref b, poseB, ref solver, out result),
+            FormKind.Triangle => SolveCores<TCoreA, TriangleCore>(ref a, poseA, ref b, poseB, ref solver, out result),
             _ => false,
         };
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static bool SolveCores<TA, TB, TCoreA, TCoreB, TSolver, TResult>(
+    private static bool SolveCores<TCoreA, TCoreB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TCoreA : struct, ISupportMap
         where TCoreB : struct, ISupportMap
-        where TSolver : struct, IPairSolver<TResult>
     {
         CoreOf.Get(ref a, out TCoreA coreA);
         CoreOf.Get(ref b, out TCoreB coreB);
@@ -95,11 +112,8 @@ internal static class PairQuery
 
     /// <summary>Solves shapes without their placements.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SolveCopies<TA, TB, TSolver, TResult>(
+    private static void SolveCopies(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TSolver : struct, IPairSolver<TResult>
     {
         TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
         TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
@@ -108,14 +122,11 @@ internal static class PairQuery
 
     /// <summary>Composes, refuses, solves and finishes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static unsafe void Solve<TA, TB, TCoreA, TCoreB, TSolver, TResult>(
+    private static unsafe void Solve<TCoreA, TCoreB>(
         ref TA a, ref TCoreA coreA, in RigidPose poseA, ref TB b, ref TCoreB coreB, in RigidPose poseB,
         ref TSolver solver, out TResult result)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TCoreA : struct, ISupportMap
         where TCoreB : struct, ISupportMap
-        where TSolver : struct, IPairSolver<TResult>
     {
 #if NET
         Uncleared.Begin(out PairFrame frame);
@@ -138,37 +149,19 @@ internal static class PairQuery
 
     /// <summary>Solves a pair whose products would leave the range of double in its own units.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SolveInUnitSize<TA, TB, TSolver>(
-        ref TA a, ref TB b, ref PairFrame frame, ref TSolver solver, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-        where TSolver : struct, ICoreSolver
+    private static void SolveInUnitSize<TCoreA, TCoreB>(
+        ref TCoreA a, ref TCoreB b, ref PairFrame frame, ref TSolver solver, ref SolverState state)
+        where TCoreA : struct, ISupportMap
+        where TCoreB : struct, ISupportMap
     {
         frame.TightenRadii(ref a, ref b);
         double factor = frame.UnitFactor;
         frame.ToUnitSize(factor);
-        var unitA = new UnitSized<TA>(a, factor);
-        var unitB = new UnitSized<TB>(b, factor);
-        SolverState.Begin<TA, TB>(frame, out state);
+        var unitA = new UnitSized<TCoreA>(a, factor);
+        var unitB = new UnitSized<TCoreB>(b, factor);
+        SolverState.Begin<TCoreA, TCoreB>(frame, out state);
         solver.Solve(ref unitA, ref unitB, ref frame, ref state);
     }
-
-    /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a
-    /// shape's own mistakes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-#if NET
-    public static ref T Inward<T>(in T shape)
-        where T : struct =>
-        ref Unsafe.AsRef(in shape);
-#else
-    public static unsafe ref T Inward<T>(in T shape)
-        where T : struct
-    {
-#pragma warning disable CS8500 // The pointer is a reference again before the garbage collector may move the shape.
-        fixed (T* same = &shape) return ref *same;
-#pragma warning restore CS8500
-    }
-#endif
 }
 
 /// <summary>One of the questions about a pair of shapes: what <see cref="PairQuery"/> runs.</summary>

@@ -48,7 +48,7 @@ public readonly struct RayCastResult
     /// <summary>True also for a search that ended at its limit, apart up to the distance.</summary>
     internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;
 
-    /// <summary>The status, and what is valid under it, for people to read.</summary>
+    /// <summary>The status and the fields that are valid with it, as text.</summary>
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(

@@ -25,16 +25,13 @@ public readonly struct BoxShape : ISupportMap, IPlainBody
 
     object ILibraryShape.MakeTraits() => new PlainTraits<BoxShape>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Of(RayForm.Box, HalfExtents, out target);
-        return true;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
+        ShapeForm.Of(FormKind.Box, HalfExtents, out form);
 
-    RayForm IPlainBody.GetPlain(out Double3 size)
+    FormKind IPlainBody.GetPlain(out Double3 size)
     {
         size = HalfExtents;
-        return RayForm.Box;
+        return FormKind.Box;
     }
 
     /// <inheritdoc/>

@@ -34,12 +34,9 @@ public readonly struct CapsuleShape : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<CapsuleShape>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Capsule(
-            new Double3(0, HalfHeight, 0), new Double3(0, -(double)HalfHeight, 0), default, Radius, out target);
-        return true;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
+        ShapeForm.Capsule(
+            new Double3(0, HalfHeight, 0), new Double3(0, -(double)HalfHeight, 0), default, Radius, out form);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)

@@ -28,7 +28,7 @@ public readonly struct ConvexMesh : ISupportMap, IPlainBody
     public double BoundingRadius => _hull is null ? double.NaN : _hull.BoundingRadius;
 
     /// <summary>What a query may unwrap this to.</summary>
-    internal CoreKind Core => _hull is null ? CoreKind.Other : _hull.IsExactBox ? CoreKind.Box : CoreKind.Hull;
+    internal FormKind Core => _hull is null ? FormKind.None : _hull.IsExactBox ? FormKind.Box : FormKind.Hull;
 
     /// <summary>This, known to be a box.</summary>
     internal void Get(out BoxCore box) =>
@@ -39,18 +39,12 @@ public readonly struct ConvexMesh : ISupportMap, IPlainBody
 
     object ILibraryShape.MakeTraits() => new PlainTraits<ConvexMesh>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        target = default;
-        if (_hull is not null) RayTarget.Of(_hull, out target);
-        return _hull is not null;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Of(_hull, out form);
 
-    RayForm IPlainBody.GetPlain(out Double3 size)
+    FormKind IPlainBody.GetPlain(out Double3 size)
     {
-        bool isBox = Core == CoreKind.Box;
-        size = isBox ? _hull!.Cells.Stretch : default;
-        return isBox ? RayForm.Box : RayForm.None;
+        size = Core == FormKind.Box ? _hull!.Cells.Stretch : default;
+        return Core;
     }
 
     /// <inheritdoc/>
@@ -68,14 +62,9 @@ public readonly struct ConvexMesh : ISupportMap, IPlainBody
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point)
     {
-        if (_hull is null || (uint)id >= (uint)_hull.VertexCount)
-        {
-            point = default;
-            return false;
-        }
-
-        _hull.GetVertex(id, out point);
+        if (_hull is null) return PrimitiveSupport.NoVertex(out point);
+        bool found = _hull.TryGetVertex(id, out point);
         point -= _hull.Center;
-        return true;
+        return found;
     }
 }

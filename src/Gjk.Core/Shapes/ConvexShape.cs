@@ -19,7 +19,7 @@ public readonly partial struct ConvexShape
 
     /// <summary>Whether the core's support is the shape's: not scaled, not placed.</summary>
     private readonly bool _isPlain;
-    private readonly CoreKind _core;
+    private readonly FormKind _core;
 
     internal ConvexShape(in ShapeParts parts)
     {
@@ -37,19 +37,19 @@ public readonly partial struct ConvexShape
                 _parts.Placement = parts.Placement;
             }
 
-            _core = parts.Placement is null ? CoreKind.Other : CoreKind.Moved;
+            _core = parts.Placement is null ? FormKind.None : FormKind.Moved;
             return;
         }
 
         _parts.Curve = CurveOf(parts);
         _isPlain = parts.Scaling is null && parts.Placement is null;
-        _core = parts.Scaling is not null ? CoreKind.Other
-            : parts.Kind == ShapeKind.Box ? CoreKind.Box
+        _core = parts.Scaling is not null ? FormKind.None
+            : parts.Kind == ShapeKind.Box ? FormKind.Box
             : parts.Kind is ShapeKind.Segment or ShapeKind.Capsule or ShapeKind.Point or ShapeKind.Sphere
-                ? CoreKind.Segment
-            : parts.Kind == ShapeKind.Triangle ? CoreKind.Triangle
-            : parts.Kind != ShapeKind.Mesh ? CoreKind.Other
-            : parts.Hull!.IsExactBox ? CoreKind.Box : CoreKind.Hull;
+                ? FormKind.Segment
+            : parts.Kind == ShapeKind.Triangle ? FormKind.Triangle
+            : parts.Kind != ShapeKind.Mesh ? FormKind.None
+            : parts.Hull!.IsExactBox ? FormKind.Box : FormKind.Hull;
         _center = CoreCenter(parts);
         _margin = parts.InnerMargin + parts.Rounding;
         _boundingRadius = CoreRadius(_parts, _center) + parts.InnerMargin;
@@ -69,7 +69,7 @@ public readonly partial struct ConvexShape
         }
 
         _boundingRadius += parts.Rounding;
-        if (parts.Placement is not null) _core |= CoreKind.Moved;
+        if (parts.Placement is not null) _core |= FormKind.Moved;
     }
 
     /// <summary>The same core, elsewhere.</summary>
@@ -78,7 +78,7 @@ public readonly partial struct ConvexShape
         this = core;
         _parts.Placement = placement;
         _isPlain = _parts.Layer is null && _parts.Scaling is null && placement is null;
-        _core = core._core & ~CoreKind.Moved | (placement is null ? CoreKind.Other : CoreKind.Moved);
+        _core = core._core & ~FormKind.Moved | (placement is null ? FormKind.None : FormKind.Moved);
     }
 
     /// <summary>What the constructor was given.</summary>
@@ -121,7 +121,7 @@ public readonly partial struct ConvexShape
 
         if (_parts.Placement is not null) return PlacedSupport(direction, out point);
         return _parts.Layer is null
-            ? ScaledSupport(_parts.Scaling!, direction, out point)
+            ? ScaledSupport(direction, out point)
             : _parts.Layer.Support(direction, out point);
     }
 
@@ -137,12 +137,12 @@ public readonly partial struct ConvexShape
 
         if (_parts.Placement is not null) return TryGetPlacedVertex(id, out point);
         return _parts.Layer is null
-            ? TryGetScaledVertex(_parts.Scaling!, id, out point)
+            ? TryGetScaledVertex(id, out point)
             : _parts.Layer.TryGetVertex(id, out point);
     }
 
     /// <summary>What a query may unwrap this to.</summary>
-    internal CoreKind Core => _core;
+    internal FormKind Core => _core;
 
     /// <summary>The core's centre, in the core's axes.</summary>
     internal Double3 CenterInCore =>
@@ -210,48 +210,23 @@ public readonly partial struct ConvexShape
     };
 
     /// <summary>The support of the core before the scale, in the local frame.</summary>
-    private int CoreSupport(in Double3 direction, out Double3 point)
+    private int CoreSupport(in Double3 direction, out Double3 point) => _parts.Kind switch
     {
-        switch (_parts.Kind)
-        {
-            case ShapeKind.Mesh:
-                return HullSupport.Find(_parts.Hull!.Cells, direction, out point);
-            case ShapeKind.Box:
-                return BoxSupport.Furthest(_parts.A, direction, out point);
-            case ShapeKind.Point or ShapeKind.Sphere:
-                point = default;
-                return 0;
-            case ShapeKind.Segment or ShapeKind.Capsule:
-                return PrimitiveSupport.Segment(_parts.A, _parts.B, direction, out point);
-            case ShapeKind.Triangle:
-                return PrimitiveSupport.Triangle(_parts.A, _parts.B, _parts.C, direction, out point);
-            default:
-                if (_parts.Curve is not null) return _parts.Curve.Support(direction, out point);
-                point = new Double3(double.NaN, double.NaN, double.NaN);
-                return -1;
-        }
-    }
+        ShapeKind.Mesh => HullSupport.Find(_parts.Hull!.Cells, direction, out point),
+        ShapeKind.Box => BoxSupport.Furthest(_parts.A, direction, out point),
+        ShapeKind.Point or ShapeKind.Sphere => PrimitiveSupport.Point(out point),
+        ShapeKind.Segment or ShapeKind.Capsule => PrimitiveSupport.Segment(_parts.A, _parts.B, direction, out point),
+        ShapeKind.Triangle => PrimitiveSupport.Triangle(_parts.A, _parts.B, _parts.C, direction, out point),
+        _ => _parts.Curve is null ? PrimitiveSupport.Nowhere(out point) : _parts.Curve.Support(direction, out point),
+    };
 
-    private bool CoreVertex(int id, out Double3 point)
+    private bool CoreVertex(int id, out Double3 point) => _parts.Kind switch
     {
-        switch (_parts.Kind)
-        {
-            case ShapeKind.Mesh when (uint)id < (uint)_parts.Hull!.VertexCount:
-                _parts.Hull.GetVertex(id, out point);
-                return true;
-            case ShapeKind.Box:
-                return BoxSupport.TryGetVertex(_parts.A, id, out point);
-            case ShapeKind.Point or ShapeKind.Sphere:
-                point = default;
-                return id == 0;
-            case ShapeKind.Segment or ShapeKind.Capsule:
-                return PrimitiveSupport.Two(_parts.A, _parts.B, id, out point);
-            case ShapeKind.Triangle:
-                point = id == 0 ? _parts.A : id == 1 ? _parts.B : _parts.C;
-                return (uint)id < 3u;
-            default:
-                point = default;
-                return false;
-        }
-    }
+        ShapeKind.Mesh => _parts.Hull!.TryGetVertex(id, out point),
+        ShapeKind.Box => BoxSupport.TryGetVertex(_parts.A, id, out point),
+        ShapeKind.Point or ShapeKind.Sphere => PrimitiveSupport.Point(out point) == id,
+        ShapeKind.Segment or ShapeKind.Capsule => PrimitiveSupport.Two(_parts.A, _parts.B, id, out point),
+        ShapeKind.Triangle => PrimitiveSupport.Three(_parts.A, _parts.B, _parts.C, id, out point),
+        _ => PrimitiveSupport.NoVertex(out point),
+    };
 }

@@ -33,11 +33,8 @@ public readonly struct CylinderShape : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<CylinderShape>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Of(RayForm.Cylinder, new Double3(_radius, _halfHeight, 0), out target);
-        return true;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
+        ShapeForm.Of(FormKind.Cylinder, new Double3(_radius, _halfHeight, 0), out form);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point) =>
@@ -48,9 +45,5 @@ public readonly struct CylinderShape : ISupportMap, ILibraryShape
         PrimitiveFaces.Cylinder(_radius, _halfHeight, direction, ref corners);
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Double3 point)
-    {
-        point = default;
-        return false;
-    }
+    public bool TryGetVertex(int id, out Double3 point) => PrimitiveSupport.NoVertex(out point);
 }

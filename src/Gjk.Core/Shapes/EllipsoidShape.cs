@@ -26,11 +26,8 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<EllipsoidShape>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Of(RayForm.Ellipsoid, _radii, out target);
-        return true;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
+        ShapeForm.Of(FormKind.Ellipsoid, _radii, out form);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point) =>
@@ -42,9 +39,5 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Double3 point)
-    {
-        point = default;
-        return false;
-    }
+    public bool TryGetVertex(int id, out Double3 point) => PrimitiveSupport.NoVertex(out point);
 }

@@ -63,13 +63,12 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
         return _placement is null ? this : new(Core);
     }
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
+    bool ILibraryShape.TryGetForm(out ShapeForm form)
     {
         T core = Core;
-        if (_placement is not null && ShapeTraits<T>.Of.TryGetTarget(ref core, out target))
-            return !IsPlaced || _placement.TryPlace(ref target);
-        target = default;
-        return false;
+        if (_placement is not null && ShapeTraits<T>.Of.TryGetForm(ref core, out form))
+            return !IsPlaced || _placement.TryPlace(ref form);
+        return ShapeForm.None(out form);
     }
 
     /// <inheritdoc/>

@@ -18,18 +18,11 @@ public readonly struct PointShape : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<PointShape>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Ball(0, out target);
-        return true;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
+        ShapeForm.Ball(0, out form);
 
     /// <inheritdoc/>
-    public int Support(in Double3 direction, out Double3 point)
-    {
-        point = default;
-        return 0;
-    }
+    public int Support(in Double3 direction, out Double3 point) => PrimitiveSupport.Point(out point);
 
     /// <summary>Nothing: the shape has no faces.</summary>
     public void GetFace(in Double3 direction, ref FaceCorners corners)
@@ -37,9 +30,5 @@ public readonly struct PointShape : ISupportMap, ILibraryShape
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Double3 point)
-    {
-        point = default;
-        return id == 0;
-    }
+    public bool TryGetVertex(int id, out Double3 point) => PrimitiveSupport.Point(out point) == id;
 }

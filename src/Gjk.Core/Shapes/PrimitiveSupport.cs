@@ -10,6 +10,27 @@ internal static class PrimitiveSupport
     /// brought to unit size first. Pinned by DirectionLengthTests.</summary>
     private const double LeastSquare = 1e-270, MostSquare = 1e300;
 
+    /// <summary>The only vertex of a point; a sphere's core is one.</summary>
+    public static int Point(out Double3 point)
+    {
+        point = default;
+        return 0;
+    }
+
+    /// <summary>Of no shape.</summary>
+    public static int Nowhere(out Double3 point)
+    {
+        point = new Double3(double.NaN, double.NaN, double.NaN);
+        return -1;
+    }
+
+    /// <summary>Of a shape without corners.</summary>
+    public static bool NoVertex(out Double3 point)
+    {
+        point = default;
+        return false;
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Segment(in Double3 a, in Double3 b, in Double3 direction, out Double3 point)
     {
@@ -93,5 +114,11 @@ internal static class PrimitiveSupport
     {
         point = id == 0 ? a : b;
         return (uint)id < 2u;
+    }
+
+    public static bool Three(in Double3 a, in Double3 b, in Double3 c, int id, out Double3 point)
+    {
+        point = id == 0 ? a : id == 1 ? b : c;
+        return (uint)id < 3u;
     }
 }

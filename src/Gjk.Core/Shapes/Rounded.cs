@@ -46,11 +46,11 @@ public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
     Rounded<T> IPlacedShape<Rounded<T>>.InCoreAxes(out Placement? placement) =>
         new(ShapeTraits<T>.Of.InCoreAxes(_inner, out placement), _radius);
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
+    bool ILibraryShape.TryGetForm(out ShapeForm form)
     {
         T inner = _inner;
-        bool found = ShapeTraits<T>.Of.TryGetTarget(ref inner, out target);
-        target.Round(_radius);
+        bool found = ShapeTraits<T>.Of.TryGetForm(ref inner, out form);
+        form.Round(_radius);
         return found;
     }
 

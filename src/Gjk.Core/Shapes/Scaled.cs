@@ -50,20 +50,16 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<Scaled<T>>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target) => TryGetTarget(out target);
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => TryGetForm(out form);
 
-    /// <inheritdoc cref="ILibraryShape.TryGetTarget"/>
-    internal bool TryGetTarget(out RayTarget target)
+    /// <inheritdoc cref="ILibraryShape.TryGetForm"/>
+    internal bool TryGetForm(out ShapeForm form)
     {
         T inner = _inner;
-        if (!(_scale.Largest > 0) || !ShapeTraits<T>.Of.TryGetTarget(ref inner, out target) || !target.Scale(_scale))
-        {
-            target = default;
-            return false;
-        }
-
-        target.Center = _center;
-        target.CenterError = _scale.Outward(target.CenterError) + _centerError;
+        if (!(_scale.Largest > 0) || !ShapeTraits<T>.Of.TryGetForm(ref inner, out form) || !form.Scale(_scale))
+            return ShapeForm.None(out form);
+        form.Center = _center;
+        form.CenterError = _scale.Outward(form.CenterError) + _centerError;
         return true;
     }
 

@@ -3,12 +3,10 @@ namespace Gjk.Core;
 /// <summary>A <see cref="ConvexShape"/> that was rounded or placed before it was scaled, which its own numbers cannot
 /// express. Immutable. It holds the decorator that callers of the typed shapes use, so both give the same
 /// bits.</summary>
-internal sealed class ScaledLayer : ISupportMap
+internal sealed class ScaledLayer(in Scaled<ConvexShape> shape) : ISupportMap
 {
     /// <summary>The scaled shape.</summary>
-    public readonly Scaled<ConvexShape> Shape;
-
-    public ScaledLayer(in Scaled<ConvexShape> shape) => Shape = shape;
+    public readonly Scaled<ConvexShape> Shape = shape;
 
     /// <summary>The shape before the scale.</summary>
     public ConvexShape Inner => Shape.Inner;

@@ -32,11 +32,8 @@ public readonly struct SegmentShape : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<SegmentShape>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Capsule(A, B, Center, 0, out target);
-        return true;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
+        ShapeForm.Capsule(A, B, Center, 0, out form);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)

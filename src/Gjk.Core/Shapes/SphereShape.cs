@@ -25,24 +25,17 @@ public readonly struct SphereShape : ISupportMap, IPlainBody
 
     object ILibraryShape.MakeTraits() => new PlainTraits<SphereShape>();
 
-    bool ILibraryShape.TryGetTarget(out RayTarget target)
-    {
-        RayTarget.Ball(Radius, out target);
-        return true;
-    }
+    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
+        ShapeForm.Ball(Radius, out form);
 
-    RayForm IPlainBody.GetPlain(out Double3 size)
+    FormKind IPlainBody.GetPlain(out Double3 size)
     {
         size = new Double3(1, 1, 1) * Radius;
-        return RayForm.Ball;
+        return FormKind.Ball;
     }
 
     /// <inheritdoc/>
-    public int Support(in Double3 direction, out Double3 point)
-    {
-        point = default;
-        return 0;
-    }
+    public int Support(in Double3 direction, out Double3 point) => PrimitiveSupport.Point(out point);
 
     /// <summary>Nothing: the shape has no faces.</summary>
     public void GetFace(in Double3 direction, ref FaceCorners corners)
@@ -50,9 +43,5 @@ public readonly struct SphereShape : ISupportMap, IPlainBody
     }
 
     /// <inheritdoc/>
-    public bool TryGetVertex(int id, out Double3 point)
-    {
-        point = default;
-        return id == 0;
-    }
+    public bool TryGetVertex(int id, out Double3 point) => PrimitiveSupport.Point(out point) == id;
 }

@@ -2,21 +2,13 @@ namespace Gjk.Core;
 
 /// <summary>A vertex of A - B, and the slot of the <see cref="Simplex"/> that holds the support points that it was made
 /// from.</summary>
-internal struct MinkowskiVertex
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal struct MinkowskiVertex(in Double3 w, int slot)
 {
-    public double X, Y, Z;
+    public double X = w.X, Y = w.Y, Z = w.Z;
 
     /// <summary>As wide as the coordinates, so that the four fit registers without a gap.</summary>
-    public long Slot;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public MinkowskiVertex(in Double3 w, int slot)
-    {
-        X = w.X;
-        Y = w.Y;
-        Z = w.Z;
-        Slot = slot;
-    }
+    public long Slot = slot;
 
     public readonly Double3 W
     {

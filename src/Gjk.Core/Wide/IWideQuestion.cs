@@ -129,7 +129,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
             return WideRoute.Answered;
         }
 
-        bool isWide = a.Margin + b.Margin > 0 || ((a.Core | b.Core) & ~CoreKind.Moved) == CoreKind.Box;
+        bool isWide = a.Margin + b.Margin > 0 || ((a.Core | b.Core) & ~FormKind.Moved) == FormKind.Box;
         return isWide ? WideRoute.Cold : WideRoute.Alone;
     }
 

@@ -2,7 +2,7 @@
 namespace Gjk.Core;
 
 /// <summary>A part of a batch: its pairs by kind, four at a time where that is faster, else one by one.</summary>
-internal readonly unsafe ref struct WideBatch
+internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs)
 {
     /// <summary>Count of pairs in a part at most.</summary>
     public const int MostPairs = 256;
@@ -17,16 +17,9 @@ internal readonly unsafe ref struct WideBatch
     /// <summary>Stands for the kind of a pair that was answered when it was sorted.</summary>
     private const int Answered = Kinds;
 
-    private readonly ref ConvexShape _shapes;
-    private readonly ref RigidPose _poses;
-    private readonly ref ObjectPair _pairs;
-
-    public WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs)
-    {
-        _shapes = ref MemoryMarshal.GetArrayDataReference(shapes);
-        _poses = ref MemoryMarshal.GetArrayDataReference(poses);
-        _pairs = ref pairs;
-    }
+    private readonly ref ConvexShape _shapes = ref MemoryMarshal.GetArrayDataReference(shapes);
+    private readonly ref RigidPose _poses = ref MemoryMarshal.GetArrayDataReference(poses);
+    private readonly ref ObjectPair _pairs = ref pairs;
 
     /// <summary>Whether four pairs can be solved at once on this machine.</summary>
     public static bool IsSupported
@@ -58,15 +51,15 @@ internal readonly unsafe ref struct WideBatch
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<double> ArePlaced(int* index)
     {
-        CoreKind any = (ShapeA(index[0]).Core | ShapeB(index[0]).Core | ShapeA(index[1]).Core | ShapeB(index[1]).Core
+        FormKind any = (ShapeA(index[0]).Core | ShapeB(index[0]).Core | ShapeA(index[1]).Core | ShapeB(index[1]).Core
             | ShapeA(index[2]).Core | ShapeB(index[2]).Core | ShapeA(index[3]).Core | ShapeB(index[3]).Core)
-            & CoreKind.Moved;
+            & FormKind.Moved;
         return any == 0 ? Vector256<double>.Zero : Vector256.Create(
             IsPlaced(index[0]), IsPlaced(index[1]), IsPlaced(index[2]), IsPlaced(index[3])).AsDouble();
     }
 
     private long IsPlaced(int pair) =>
-        ((ShapeA(pair).Core | ShapeB(pair).Core) & CoreKind.Moved) == 0 ? 0 : -1;
+        ((ShapeA(pair).Core | ShapeB(pair).Core) & FormKind.Moved) == 0 ? 0 : -1;
 
     /// <summary>Where the cores are in the frames of four first shapes.</summary>
     public WideTurn TurnsOfA(int* index) =>
@@ -88,66 +81,37 @@ internal readonly unsafe ref struct WideBatch
         for (int kind = 0; kind < Kinds; kind++)
         {
             int length = starts[kind + 1] - starts[kind];
-            if (length > 0) AskKind(kind, byKind + starts[kind], length, ref question);
+            int* index = byKind + starts[kind];
+            if (length == 0 || AskKind(kind, index, length, ref question)) continue;
+            for (int i = 0; i < length; i++) question.Alone(this, index[i]);
         }
     }
 
-    private void AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
-        where TQuestion : struct, IWideQuestion, allows ref struct
-    {
-        switch ((CoreKind)(kind % CoreKinds / OneKinds))
+    /// <summary>Asks about pairs of one kind; false where the kind has no lanes.</summary>
+    private bool AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
+        where TQuestion : struct, IWideQuestion, allows ref struct => (FormKind)(kind % CoreKinds / OneKinds) switch
         {
-            case CoreKind.Box:
-                AskKind<WideBoxes, TQuestion>(kind, index, count, ref question);
-                break;
-            case CoreKind.Hull:
-                AskKind<WideHulls, TQuestion>(kind, index, count, ref question);
-                break;
-            case CoreKind.Segment:
-                AskKind<WideSegments, TQuestion>(kind, index, count, ref question);
-                break;
-            case CoreKind.Triangle:
-                AskKind<WideTriangles, TQuestion>(kind, index, count, ref question);
-                break;
-            default:
-                AskAlone(index, count, ref question);
-                break;
-        }
-    }
+            FormKind.Box => AskKind<WideBoxes, TQuestion>(kind, index, count, ref question),
+            FormKind.Hull => AskKind<WideHulls, TQuestion>(kind, index, count, ref question),
+            FormKind.Segment => AskKind<WideSegments, TQuestion>(kind, index, count, ref question),
+            FormKind.Triangle => AskKind<WideTriangles, TQuestion>(kind, index, count, ref question),
+            _ => false,
+        };
 
     /// <summary>The same where the kind of the first shapes is known.</summary>
-    private void AskKind<TA, TQuestion>(int kind, int* index, int count, ref TQuestion question)
+    private bool AskKind<TA, TQuestion>(int kind, int* index, int count, ref TQuestion question)
         where TA : struct, IWideSide
-        where TQuestion : struct, IWideQuestion, allows ref struct
-    {
-        switch ((CoreKind)(kind % OneKinds))
+        where TQuestion : struct, IWideQuestion, allows ref struct => (FormKind)(kind % OneKinds) switch
         {
-            case CoreKind.Box:
-                Ask<TA, WideBoxes, TQuestion>(index, count, ref question);
-                break;
-            case CoreKind.Hull:
-                Ask<TA, WideHulls, TQuestion>(index, count, ref question);
-                break;
-            case CoreKind.Segment:
-                Ask<TA, WideSegments, TQuestion>(index, count, ref question);
-                break;
-            case CoreKind.Triangle:
-                Ask<TA, WideTriangles, TQuestion>(index, count, ref question);
-                break;
-            default:
-                AskAlone(index, count, ref question);
-                break;
-        }
-    }
-
-    private void AskAlone<TQuestion>(int* index, int count, ref TQuestion question)
-        where TQuestion : struct, IWideQuestion, allows ref struct
-    {
-        for (int i = 0; i < count; i++) question.Alone(this, index[i]);
-    }
+            FormKind.Box => Ask<TA, WideBoxes, TQuestion>(index, count, ref question),
+            FormKind.Hull => Ask<TA, WideHulls, TQuestion>(index, count, ref question),
+            FormKind.Segment => Ask<TA, WideSegments, TQuestion>(index, count, ref question),
+            FormKind.Triangle => Ask<TA, WideTriangles, TQuestion>(index, count, ref question),
+            _ => false,
+        };
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private void Ask<TA, TB, TQuestion>(int* index, int count, ref TQuestion question)
+    private bool Ask<TA, TB, TQuestion>(int* index, int count, ref TQuestion question)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
         where TQuestion : struct, IWideQuestion, allows ref struct
@@ -176,6 +140,8 @@ internal readonly unsafe ref struct WideBatch
             for (int i = 0; i < lanes; i++)
                 if ((done >> i & 1) == 0) question.Alone(this, four[i]);
         }
+
+        return true;
     }
 
     /// <summary>Puts the indices of the pairs in the order of their kinds.</summary>
@@ -207,7 +173,7 @@ internal readonly unsafe ref struct WideBatch
         if (route == WideRoute.Answered) return Answered;
         ref ConvexShape a = ref ShapeA(pair), b = ref ShapeB(pair);
         if (route == WideRoute.Alone || Balls.Are(ref a, ref b)) return 0;
-        CoreKind kindA = a.Core & ~CoreKind.Moved, kindB = b.Core & ~CoreKind.Moved;
+        FormKind kindA = a.Core & ~FormKind.Moved, kindB = b.Core & ~FormKind.Moved;
         return OneKinds * (int)kindA + (int)kindB + CoreKinds * (route - WideRoute.Cold);
     }
 

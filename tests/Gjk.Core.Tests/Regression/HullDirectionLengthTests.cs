@@ -26,7 +26,7 @@ public class HullDirectionLengthTests
                 int id = HullSupport.Find(hull.Cells, d * factor, out _);
                 int expected = HullSupport.Find(hull.Cells, d, out _);
                 Assert.True(id == expected, $"seed {seed}: vertex {id}, not {expected}, towards {d} x 2^{exponent}");
-                Assert.Equal(expected, HullSupport.Scan(hull.Cells, d * factor));
+                Assert.Equal(expected, PlainScan.Furthest(hull.Cells, d * factor));
             }
         }
     }
@@ -59,7 +59,7 @@ public class HullDirectionLengthTests
             var d = new Double3(x, y, z);
             int id = HullSupport.Find(hull.Cells, d, out Double3 point);
             Assert.InRange(id, 0, hull.VertexCount - 1);
-            Assert.Equal(HullSupport.Scan(hull.Cells, d), id);
+            Assert.Equal(PlainScan.Furthest(hull.Cells, d), id);
             Assert.Equal((Double3)hull.GetVertex(id), point);
         }
 
@@ -67,7 +67,7 @@ public class HullDirectionLengthTests
         {
             var hull = new ConvexHull(LargeClouds.Make(kind));
             var d = new Double3(x, y, z);
-            Assert.Equal(HullSupport.Scan(hull.Cells, d), HullSupport.Find(hull.Cells, d, out _));
+            Assert.Equal(PlainScan.Furthest(hull.Cells, d), HullSupport.Find(hull.Cells, d, out _));
         }
     }
 

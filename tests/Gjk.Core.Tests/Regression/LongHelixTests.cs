@@ -26,7 +26,7 @@ public class LongHelixTests
             double spread = i % 2 == 0 ? 1e-2 : 2;
             Double3 direction = new Double3(
                 0.07440950995460804, 1.6945090610734834, 0.030966655724690553) + (Double3)rng.Vector(-1, 1) * spread;
-            Assert.Equal(HullSupport.Scan(hull.Cells, direction), mesh.Support(direction, out _));
+            Assert.Equal(PlainScan.Furthest(hull.Cells, direction), mesh.Support(direction, out _));
         }
     }
 }

@@ -5,19 +5,11 @@ namespace Gjk.Core;
 /// <remarks>Rounded measures choose good starting points (far apart), exact predicates decide what they span. So a
 /// cloud that is flat but for one bit is a solid, and a cloud that is exactly flat is a polygon. Not thread-safe: one
 /// per build.</remarks>
-internal sealed class ConvexHullBuilder
+internal sealed class ConvexHullBuilder(Vector3[] points, int mostWork)
 {
-    private readonly Vector3[] _points;
-    private readonly HullPredicates _predicates;
-    private readonly int _mostWork;
+    private readonly Vector3[] _points = points;
+    private readonly HullPredicates _predicates = new(points);
     private long _work;
-
-    private ConvexHullBuilder(Vector3[] points, int mostWork)
-    {
-        _mostWork = mostWork;
-        _points = points;
-        _predicates = new HullPredicates(points);
-    }
 
     /// <param name="points">At least one, all different, all finite.</param>
     public static HullMesh Build(Vector3[] points) => Build(points, QuickHull.MostWork, out _);
@@ -44,7 +36,7 @@ internal sealed class ConvexHullBuilder
         if (d < 0) return Polygon(a, b, c);
 
         if (isAbove) (b, c) = (c, b);
-        HullSurface surface = QuickHull.Build(_predicates, a, b, c, d, _mostWork, out _work);
+        HullSurface surface = QuickHull.Build(_predicates, a, b, c, d, mostWork, out _work);
         return HullFacets.Build(surface, _points.Length);
     }
 

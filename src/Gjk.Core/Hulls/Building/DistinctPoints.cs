@@ -102,18 +102,14 @@ internal sealed class DistinctPoints
     }
 
     /// <summary>By coordinates, then by index.</summary>
-    private sealed class CoordinateOrder : IComparer<int>
+    private sealed class CoordinateOrder(Vector3[] points) : IComparer<int>
     {
-        private readonly Vector3[] _points;
-
-        public CoordinateOrder(Vector3[] points) => _points = points;
-
         public long Comparisons { get; private set; }
 
         public int Compare(int i, int j)
         {
             Comparisons++;
-            Vector3 p = _points[i], q = _points[j];
+            Vector3 p = points[i], q = points[j];
             int order = p.X.CompareTo(q.X);
             if (order == 0) order = p.Y.CompareTo(q.Y);
             if (order == 0) order = p.Z.CompareTo(q.Z);

@@ -2,14 +2,11 @@ namespace Gjk.Core;
 
 /// <summary>The convex outline of a face's corners, seen along its normal (Andrew 1979: lower and upper chain of the
 /// corners in the order of one coordinate).</summary>
-internal sealed class FaceOutline
+internal sealed class FaceOutline(Vector3[] points)
 {
-    private readonly Vector3[] _points;
     private readonly List<Corner> _seen = [];
     private readonly List<Corner> _chain = [];
     private readonly HashSet<int> _ids = [];
-
-    public FaceOutline(Vector3[] points) => _points = points;
 
     /// <summary>Appends the outline's corners, counter-clockwise seen from outside.</summary>
     /// <param name="region">The face's triangles.</param>
@@ -34,7 +31,7 @@ internal sealed class FaceOutline
     private void Collect(List<int> region, int[] triangles, in Double3 normal)
     {
         var basis = new PlaneBasis(normal);
-        Double3 origin = _points[triangles[3 * region[0]]];
+        Double3 origin = points[triangles[3 * region[0]]];
         _seen.Clear();
         _ids.Clear();
         foreach (int triangle in region)
@@ -43,7 +40,7 @@ internal sealed class FaceOutline
             {
                 int id = triangles[3 * triangle + k];
                 if (!_ids.Add(id)) continue;
-                Double3 p = _points[id] - origin;
+                Double3 p = points[id] - origin;
                 _seen.Add(new Corner(Double3.Dot(p, basis.U), Double3.Dot(p, basis.V), id));
             }
         }

@@ -4,7 +4,7 @@ namespace Gjk.Core;
 /// half-edges.</summary>
 /// <remarks>Half-edge 3 f + e is edge e of face f. It leads from its origin to the origin of the face's next half-edge.
 /// Not thread-safe: one per build.</remarks>
-internal sealed class HullSurface
+internal sealed class HullSurface(HullPredicates predicates)
 {
     public struct Face
     {
@@ -27,14 +27,11 @@ internal sealed class HullSurface
     private const int Dead = -1;
     private const int FirstCapacity = 64;
 
-    private readonly HullPredicates _predicates;
     private readonly List<int> _free = new();
     private Face[] _faces = new Face[FirstCapacity];
     private int[] _origin = new int[3 * FirstCapacity];
     private int[] _twin = new int[3 * FirstCapacity];
     private int _faceCount;
-
-    public HullSurface(HullPredicates predicates) => _predicates = predicates;
 
     /// <summary>By face. Another array after <see cref="AddFace"/>.</summary>
     public Face[] Faces => _faces;
@@ -57,7 +54,7 @@ internal sealed class HullSurface
     public bool IsFlat(int halfEdge)
     {
         int apex = _origin[Next(Next(_twin[halfEdge]))];
-        return _predicates.Side(_faces[halfEdge / 3].Plane, apex, out _) == 0;
+        return predicates.Side(_faces[halfEdge / 3].Plane, apex, out _) == 0;
     }
 
     /// <summary>Adds a face, counter-clockwise seen from outside; its edges are yet to be linked.</summary>
@@ -80,7 +77,7 @@ internal sealed class HullSurface
             }
         }
 
-        _faces[face] = new Face { Plane = _predicates.PlaneThrough(a, b, c), FirstAbove = -1 };
+        _faces[face] = new Face { Plane = predicates.PlaneThrough(a, b, c), FirstAbove = -1 };
         _origin[3 * face] = a;
         _origin[3 * face + 1] = b;
         _origin[3 * face + 2] = c;

@@ -5,7 +5,8 @@ namespace Gjk.Core;
 /// name the corner.</summary>
 /// <remarks>Eight numbers of four bits each, so that a look-up is a shift and touches no memory. Signs decide exactly,
 /// where a comparison of rounded dot products would not.</remarks>
-internal readonly struct BoxCorners
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal readonly struct BoxCorners(uint ids, uint signs)
 {
     /// <summary>Of a box whose ids are the signs.</summary>
     public static BoxCorners Plain
@@ -16,14 +17,7 @@ internal readonly struct BoxCorners
 
     private const int Corners = 8, BitsEach = 4, Mask = 7;
 
-    private readonly uint _ids, _signs;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private BoxCorners(uint ids, uint signs)
-    {
-        _ids = ids;
-        _signs = signs;
-    }
+    private readonly uint _ids = ids, _signs = signs;
 
     /// <summary>The id of the corner with these signs.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -2,7 +2,9 @@ namespace Gjk.Core;
 
 /// <summary>Finds out which vertices of a list cannot be furthest anywhere in a part of the direction cube. See
 /// <see cref="HullCellLists"/> for the proof.</summary>
-internal sealed class CellFilter
+/// <param name="points">x, y, z of each vertex in stretched units.</param>
+/// <param name="grid">How directions are drawn.</param>
+internal sealed class CellFilter(double[] points, CellGrid grid)
 {
     /// <summary>Points of a part where the furthest vertex of the list, a champion, is known: three rows of three.
     /// Champions beat most others.</summary>
@@ -20,22 +22,14 @@ internal sealed class CellFilter
     /// <summary>The order in which champions are tried: the centre's beats most.</summary>
     private readonly byte[] _order = [4, 1, 3, 5, 7, 0, 2, 6, 8];
 
-    private readonly double[] _points;
-    private readonly CellGrid _grid;
+    private readonly double[] _points = points;
+    private readonly CellGrid _grid = grid;
     private readonly CellClip _clip = new();
     private readonly int[] _champions = new int[Samples];
     private readonly double[] _championU = new double[Padded], _championV = new double[Padded];
     private readonly double[] _championHeight = new double[Padded];
     private int _championCount, _axisU, _axisV, _axisW;
     private double _u, _v, _w, _halfU, _halfV;
-
-    /// <param name="points">x, y, z of each vertex in stretched units.</param>
-    /// <param name="grid">How directions are drawn.</param>
-    public CellFilter(double[] points, in CellGrid grid)
-    {
-        _points = points;
-        _grid = grid;
-    }
 
     /// <summary>Makes a part the one that the other methods are about.</summary>
     public void Aim(in CellPart part)

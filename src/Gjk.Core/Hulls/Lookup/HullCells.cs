@@ -123,7 +123,7 @@ internal sealed class HullCells
             : !Direction.IsSpatial ? LookupKind.Flat
             : Side > 0 ? LookupKind.Cells : LookupKind.Scan;
 #if NET
-        ScanBlocks = Kind == LookupKind.Scan ? HullScan.Gather(hull) : [];
+        ScanBlocks = Kind == LookupKind.Scan ? HullScan.Widen(Coordinates) : [];
 #endif
     }
 

@@ -17,26 +17,22 @@ internal static class HullScan
 
     private const int MostBlocks = MostVertices / HullCells.Lanes;
 
-    /// <summary>The coordinates in blocks as in <see cref="HullCells"/>, but of doubles, an even number of them, filled
-    /// up with the first vertex, which ties with itself and is lower.</summary>
-    public static double[] Gather(HullVertices hull)
+    /// <summary>The blocks of <see cref="HullCells"/> as doubles, an even number of them, filled up with the first
+    /// vertex, which ties with itself and is lower.</summary>
+    public static double[] Widen(float[] coordinates)
     {
-        int pairs = (hull.Count + 2 * HullCells.Lanes - 1) / (2 * HullCells.Lanes);
-        double[] blocks = new double[pairs * Step];
-        for (int slot = 0; slot < pairs * 2 * HullCells.Lanes; slot++)
+        double[] blocks = new double[(coordinates.Length + HullCells.BlockFloats) / Step * Step];
+        for (int i = 0; i < blocks.Length; i++)
         {
-            int id = slot < hull.Count ? slot : 0;
-            int at = slot / HullCells.Lanes * HullCells.BlockFloats + slot % HullCells.Lanes;
-            blocks[at] = hull.X[id];
-            blocks[at + HullCells.Lanes] = hull.Y[id];
-            blocks[at + 2 * HullCells.Lanes] = hull.Z[id];
+            int first = i % HullCells.BlockFloats / HullCells.Lanes * HullCells.Lanes;
+            blocks[i] = coordinates[i < coordinates.Length ? i : first];
         }
 
         return blocks;
     }
 
     /// <summary>The id of the furthest vertex.</summary>
-    /// <param name="blocks">From <see cref="Gather"/>.</param>
+    /// <param name="blocks">From <see cref="Widen"/>.</param>
     /// <param name="x">The direction's components: finite, of safe reach.</param>
     /// <param name="y">As <paramref name="x"/>.</param>
     /// <param name="z">As <paramref name="x"/>.</param>

@@ -3,10 +3,10 @@ namespace Gjk.Core;
 /// <summary>The vertex of a hull that is furthest in a direction: the lowest id among those whose dot product, in
 /// double, is largest; of a box the corner that the signs of the direction name, which is the furthest without
 /// rounding.</summary>
-/// <remarks><see cref="Scan"/> is the definition. It counts coordinates from the hull's origin
-/// (<see cref="HullOrigin"/>) and prepares the direction first (<see cref="HullDirection"/>). <see cref="Find"/> gets
-/// the same vertex from the direction's cell for a large hull (<see cref="HullCells"/>), and by a scan of all for a
-/// small one.</remarks>
+/// <remarks>The definition is a scan of all vertices: of their coordinates from the hull's origin
+/// (<see cref="HullOrigin"/>), with the direction prepared (<see cref="HullDirection"/>). <see cref="Find"/> gets the
+/// same vertex from the direction's cell for a large hull (<see cref="HullCells"/>), and by such a scan for a small
+/// one. HullLookupTests compare the two.</remarks>
 internal static class HullSupport
 {
     /// <summary>The furthest vertex of a hull.</summary>
@@ -60,29 +60,6 @@ internal static class HullSupport
     private static int Signs(double x, double y, double z) =>
         BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
 
-    /// <summary>The definition that every faster way must agree with.</summary>
-    public static int Scan(HullCells cells, in Double3 direction)
-    {
-        Double3 d = direction;
-        if (cells.Kind == HullCells.LookupKind.Box) return cells.Corners.Id(Signs(d.X, d.Y, d.Z));
-        if (!cells.Direction.TryPrepare(ref d)) return 0;
-        HullVertices hull = cells.Vertices;
-        float[] xs = hull.X, ys = hull.Y, zs = hull.Z;
-        int best = 0;
-        double bestDot = double.NegativeInfinity;
-        for (int i = 0; i < hull.Count; i++)
-        {
-            double dot = d.X * xs[i] + d.Y * ys[i] + d.Z * zs[i];
-            if (dot > bestDot)
-            {
-                bestDot = dot;
-                best = i;
-            }
-        }
-
-        return best;
-    }
-
     /// <summary>The slot of the furthest vertex where <see cref="Find"/> has no short cut: flat hulls, cells without a
     /// list, ties of box corners, directions of extreme length.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -93,7 +70,9 @@ internal static class HullSupport
         if (cells.Side == 0) return HullBlocks.Best(cells.Coordinates, 0, cells.BlockCount, d);
         int cell = cells.Direction.IsPlanar ? SquareCell(cells, d) : CubeCell(cells, d.X, d.Y, d.Z);
         int start = cells.Runs[2 * cell], end = cells.Runs[2 * cell + 1];
-        return end > start ? HullBlocks.Best(cells.Coordinates, start, end, d) : cells.Tree!.Find(cells, d, start);
+        return end > start
+            ? HullBlocks.Best(cells.Coordinates, start, end, d)
+            : cells.Tree!.Find(cells, d, start, out _);
     }
 
     /// <summary>The cube's face by the largest stretched component, then the cell by the other two over it. A direction

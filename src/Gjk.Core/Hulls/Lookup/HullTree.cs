@@ -9,7 +9,10 @@ namespace Gjk.Core;
 /// vertex's dot product, in their order, from the box's furthest coordinates. Rounding is monotone, so this bound is
 /// not below the computed dot product of any vertex inside, without an allowance. A node can be left out where its
 /// bound is below the best dot product, or equal to it with no lower id inside: that is the scan's rule.</remarks>
-internal sealed class HullTree
+/// <param name="nodes">The root first.</param>
+/// <param name="inverse">The factors of the nodes' coordinates: powers of two, 0 for an axis without
+/// extent.</param>
+internal sealed class HullTree(HullTreeNode[] nodes, in Double3 inverse)
 {
     /// <summary>Count: vertices of a leaf. A scan of so many takes about as long as a visit to a node.
     /// Measured.</summary>
@@ -30,39 +33,17 @@ internal sealed class HullTree
     /// <summary>Count: nodes that wait on the way to a leaf; 2^31 vertices have fewer.</summary>
     private const int MaxDepth = 40;
 
-    private readonly Double3 _scale;
-    private readonly HullTreeNode[] _nodes;
-
-    /// <param name="nodes">The root first.</param>
-    /// <param name="inverse">The factors of the nodes' coordinates: powers of two, 0 for an axis without
-    /// extent.</param>
-    public HullTree(HullTreeNode[] nodes, in Double3 inverse)
-    {
-        _nodes = nodes;
-        _scale = new Double3(Inverse(inverse.X), Inverse(inverse.Y), Inverse(inverse.Z));
-    }
-
-    /// <summary>What a search tells while it runs.</summary>
-    public interface ITrace
-    {
-        /// <summary>Two children, or the vertices of a leaf, are looked at.</summary>
-        void Step();
-    }
+    private readonly Double3 _scale = new(Inverse(inverse.X), Inverse(inverse.Y), Inverse(inverse.Z));
+    private readonly HullTreeNode[] _nodes = nodes;
 
     /// <summary>The slot of the furthest vertex.</summary>
     /// <param name="cells">Holds the leaves' blocks.</param>
     /// <param name="d">The direction, prepared.</param>
     /// <param name="start">The slot of a vertex that is furthest nearby.</param>
-    public int Find(HullCells cells, in Double3 d, int start)
+    /// <param name="steps">How many pairs of children, and leaves, were compared.</param>
+    public unsafe int Find(HullCells cells, in Double3 d, int start, out int steps)
     {
-        var trace = default(Unobserved);
-        return Find(cells, d, start, ref trace);
-    }
-
-    /// <summary>The same, observed.</summary>
-    public unsafe int Find<TTrace>(HullCells cells, in Double3 d, int start, ref TTrace trace)
-        where TTrace : struct, ITrace
-    {
+        steps = 0;
         Double3 s = Double3.Multiply(d, _scale);
         double best = HullBlocks.Dot(cells.Coordinates, start, d);
         int* waiting = stackalloc int[MaxDepth];
@@ -72,7 +53,7 @@ internal sealed class HullTree
         {
             while (next >= 0)
             {
-                trace.Step();
+                steps++;
                 ref HullTreeNode left = ref _nodes[next], right = ref _nodes[next + 1];
                 double leftBound = Bound(ref left, s, d), rightBound = Bound(ref right, s, d);
                 bool isLeft = CanHoldBetter(ref left, leftBound, best, bestId);
@@ -91,7 +72,7 @@ internal sealed class HullTree
 
             if (next < 0)
             {
-                trace.Step();
+                steps++;
                 int end = Math.Min(~next + LeafVertices / HullCells.Lanes, cells.Ids.Length / HullCells.Lanes);
                 int slot = HullBlocks.Best(cells.Coordinates, ~next, end, d), id = cells.Ids[slot];
                 double dot = HullBlocks.Dot(cells.Coordinates, slot, d);
@@ -150,11 +131,4 @@ internal sealed class HullTree
 #endif
 
     private static double Inverse(double power) => power > 0 ? 1 / power : 0;
-
-    private struct Unobserved : ITrace
-    {
-        public void Step()
-        {
-        }
-    }
 }

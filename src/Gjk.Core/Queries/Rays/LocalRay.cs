@@ -73,24 +73,24 @@ internal struct LocalRay
     /// <summary>The ray in the axes of the body, each number of it rounded once, even where it is what larger ones
     /// leave.</summary>
     /// <param name="pose">The shape's.</param>
-    /// <param name="target">The body.</param>
+    /// <param name="form">The body.</param>
     /// <param name="line">The ray in the world.</param>
     /// <param name="ray">The ray.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void MakeExact(in RigidPose pose, in RayTarget target, in WorldRay line, out LocalRay ray)
+    public static void MakeExact(in RigidPose pose, in ShapeForm form, in WorldRay line, out LocalRay ray)
     {
         Quaternion back = Quaternion.Conjugate(pose.Rotation);
         VectorDD between = VectorDD.Rotate(back, (VectorDD)(Double3)line.Origin - (Double3)pose.Position);
         VectorDD direction = VectorDD.Rotate(back, line.Direction) * (1 / line.Length);
-        between = between - target.Center - target.CenterError;
-        if (target.IsPlaced)
+        between = between - form.Center - form.CenterError;
+        if (form.IsPlaced)
         {
-            between = VectorDD.Rotate(target.Turn.Conjugate, between);
-            direction = VectorDD.Rotate(target.Turn.Conjugate, direction);
+            between = VectorDD.Rotate(form.Turn.Conjugate, between);
+            direction = VectorDD.Rotate(form.Turn.Conjugate, direction);
         }
 
         DoubleDouble shift = -VectorDD.Dot(between, direction) / VectorDD.Dot(direction, direction);
-        double magnitude = ((Double3)between).SumOfMagnitudes + target.Center.SumOfMagnitudes;
+        double magnitude = ((Double3)between).SumOfMagnitudes + form.Center.SumOfMagnitudes;
         ray.Foot = RoundingOf(between + direction * shift, magnitude);
         ray.Direction = RoundingOf(direction, 1);
         ray.Shift = (double)shift;

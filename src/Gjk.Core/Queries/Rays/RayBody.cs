@@ -21,43 +21,43 @@ internal static class RayBody
 {
     /// <summary>The part of the line in the body. Flat to nothing, a body has no closed form: such hits are a matter of
     /// touching within rounding, which the cast decides.</summary>
-    /// <param name="target">The body.</param>
+    /// <param name="form">The body.</param>
     /// <param name="ray">In the shape's axes; if it is exact, in the body's.</param>
     /// <param name="span">The part of the line, with the normal in the shape's axes.</param>
-    public static RayFinding Find(in RayTarget target, in LocalRay ray, out RaySpan span)
+    public static RayFinding Find(in ShapeForm form, in LocalRay ray, out RaySpan span)
     {
-        if (!target.IsPlaced && !target.IsScaled) return FindPlain(target, ray, out span);
+        if (!form.IsPlaced && !form.IsScaled) return FindPlain(form, ray, out span);
         LocalRay own = ray;
-        RotationD turn = target.IsPlaced ? new RotationD(target.Turn) : default;
+        RotationD turn = form.IsPlaced ? new RotationD(form.Turn) : default;
         if (!ray.IsExact)
         {
-            own.Foot -= target.CenterError;
-            if (target.IsPlaced)
+            own.Foot -= form.CenterError;
+            if (form.IsPlaced)
             {
                 own.Foot = turn.InverseRotate(own.Foot);
                 own.Direction = turn.InverseRotate(own.Direction);
             }
         }
 
-        RayFinding found = target.IsScaled ? FindScaled(target, ref own, out span) : FindPlain(target, own, out span);
-        if (target.IsPlaced) span.Normal = turn.Rotate(span.Normal);
+        RayFinding found = form.IsScaled ? FindScaled(form, ref own, out span) : FindPlain(form, own, out span);
+        if (form.IsPlaced) span.Normal = turn.Rotate(span.Normal);
         return found;
     }
 
     /// <summary>The same in the body's own axes.</summary>
-    private static RayFinding FindScaled(in RayTarget target, ref LocalRay own, out RaySpan span)
+    private static RayFinding FindScaled(in ShapeForm form, ref LocalRay own, out RaySpan span)
     {
-        if (!own.IsExact && RayGraze.IsAlongFlat(target.Factors, own.Direction))
+        if (!own.IsExact && RayGraze.IsAlongFlat(form.Factors, own.Direction))
         {
             span = default;
             return RayFinding.Close;
         }
 
-        var inverse = new Double3(1 / target.Factors.X, 1 / target.Factors.Y, 1 / target.Factors.Z);
+        var inverse = new Double3(1 / form.Factors.X, 1 / form.Factors.Y, 1 / form.Factors.Z);
         own.Foot = Double3.Multiply(own.Foot, inverse);
         own.Direction = Double3.Multiply(own.Direction, inverse);
         double shift = LocalRay.MoveToFoot(ref own.Foot, own.Direction);
-        RayFinding found = FindPlain(target, own, out span);
+        RayFinding found = FindPlain(form, own, out span);
         span.Enter += shift;
         span.Exit += shift;
         span.Normal = Double3.Multiply(span.Normal, inverse);
@@ -66,40 +66,40 @@ internal static class RayBody
 
     /// <summary>The same in the body's own axes and size.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static RayFinding FindPlain(in RayTarget target, in LocalRay ray, out RaySpan span)
+    private static RayFinding FindPlain(in ShapeForm form, in LocalRay ray, out RaySpan span)
     {
-        Double3 size = target.A;
+        Double3 size = form.A;
         bool isFound, isAlong = false;
-        switch (target.Form)
+        switch (form.Kind)
         {
-            case RayForm.Ball when target.Radius > 0:
-                isFound = RayBall.TryFind(ray, target.Radius, out span);
+            case FormKind.Ball when form.Radius > 0:
+                isFound = RayBall.TryFind(ray, form.Radius, out span);
                 break;
-            case RayForm.Box when RayBox.IsSolid(size):
+            case FormKind.Box when RayBox.IsSolid(size):
                 isFound = RayBox.TryFind(ray, size, out span);
                 isAlong = RayBox.IsAlongSide(ray, size);
                 break;
-            case RayForm.Hull when target.Hull!.Planes is not null:
-                return RayHull.Find(ray.Foot, ray.Direction, target.Hull, target.Hull.Planes, out span);
-            case RayForm.Capsule when target.Radius > 0:
+            case FormKind.Hull when form.Hull!.Planes is not null:
+                return RayHull.Find(ray.Foot, ray.Direction, form.Hull, form.Hull.Planes, out span);
+            case FormKind.Segment when form.Radius > 0:
                 isFound = RayCapsule.TryFind(
-                    ray.Foot, ray.Direction, target.A, target.B, target.Radius, out span);
+                    ray.Foot, ray.Direction, form.A, form.B, form.Radius, out span);
                 break;
-            case RayForm.Cylinder when size.X > 0:
+            case FormKind.Cylinder when size.X > 0:
                 isFound = RayCylinder.TryFind(ray.Foot, ray.Direction, size.X, size.Y, out span);
                 isAlong = IsAlongCap(ray, size);
                 break;
-            case RayForm.Cone when size.X > 0 && size.Y > 0:
+            case FormKind.Cone when size.X > 0 && size.Y > 0:
                 isFound = RayCone.TryFind(ray.Foot, ray.Direction, size.X, size.Y, out span);
                 isAlong = IsAlongCap(ray, size)
                     || RayGraze.IsAlongFlat(new Double3(size.X, size.Y, size.X), ray.Direction);
                 break;
-            case RayForm.Ellipsoid when size.X > 0 && size.Y > 0 && size.Z > 0:
+            case FormKind.Ellipsoid when size.X > 0 && size.Y > 0 && size.Z > 0:
                 isFound = RayEllipsoid.TryFind(ray, size, out span);
                 isAlong = RayGraze.IsAlongFlat(size, ray.Direction);
                 break;
-            case RayForm.Triangle when RayTriangle.IsFit(ray, target.A, target.B, target.C, out Double3 normal):
-                isFound = RayTriangle.TryFind(ray, target.A, target.B, target.C, normal, out span);
+            case FormKind.Triangle when RayTriangle.IsFit(ray, form.A, form.B, form.C, out Double3 normal):
+                isFound = RayTriangle.TryFind(ray, form.A, form.B, form.C, normal, out span);
                 break;
             default:
                 span = default;

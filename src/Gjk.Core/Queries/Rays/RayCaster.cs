@@ -36,7 +36,7 @@ internal static class RayCaster
     private const double LeastRadius = 1.0 / (1L << 60) / (1L << 60), MostRadius = (double)(1L << 60) * (1L << 60);
 
     /// <summary>Casts the ray.</summary>
-    /// <param name="target">The body.</param>
+    /// <param name="form">The body.</param>
     /// <param name="radius">Of a ball about its centre that holds it.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="turn">2 / |q|² of the pose.</param>
@@ -44,36 +44,36 @@ internal static class RayCaster
     /// <param name="hit">What it met.</param>
     /// <returns>False where there is no closed form.</returns>
     public static bool TryCast(
-        in RayTarget target, double radius, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
+        in ShapeForm form, double radius, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
     {
         hit = default;
-        if (target.IsRounded || !(radius >= LeastRadius && radius <= MostRadius)) return false;
+        if (form.IsRounded || !(radius >= LeastRadius && radius <= MostRadius)) return false;
         Double3 between = (Double3)line.Origin - pose.Position;
-        if (target.Form == RayForm.Ball && target.Center.SumOfMagnitudes == 0)
-            return TryCastBall(target.Radius, pose, between, line, ref hit);
+        if (form.Kind == FormKind.Ball && form.Center.SumOfMagnitudes == 0)
+            return TryCastBall(form.Radius, pose, between, line, ref hit);
         bool isNear = TryApproach(
-            target.Center, radius, between, pose, turn, line, ref hit, out RotationD rotation, out LocalRay ray);
+            form.Center, radius, between, pose, turn, line, ref hit, out RotationD rotation, out LocalRay ray);
         if (hit.Status != CastStatus.None) return true;
         if (!isNear)
         {
-            LocalRay.MakeFar(pose, target.Center, line, out ray);
+            LocalRay.MakeFar(pose, form.Center, line, out ray);
             ray.Foot = rotation.InverseRotate(ray.Foot);
             ray.Direction = rotation.InverseRotate(ray.Direction);
         }
 
         double shift = ray.Shift;
-        RayFinding finding = RayBody.Find(target, ray, out RaySpan span);
+        RayFinding finding = RayBody.Find(form, ray, out RaySpan span);
         if (finding == RayFinding.Close)
         {
-            LocalRay.MakeExact(pose, target, line, out LocalRay exact);
-            finding = RayBody.Find(target, exact, out span);
+            LocalRay.MakeExact(pose, form, line, out LocalRay exact);
+            finding = RayBody.Find(form, exact, out span);
             shift = exact.Shift;
         }
 
         if (finding == RayFinding.Unfit) return false;
         if (!Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, ref hit)) return true;
         Place(rotation, span, line, ref hit);
-        if (!isNear) hit.Point = rotation.Rotate(ray.At(span.Enter) + target.Center) + pose.Position;
+        if (!isNear) hit.Point = rotation.Rotate(ray.At(span.Enter) + form.Center) + pose.Position;
         return true;
     }
 
@@ -85,16 +85,16 @@ internal static class RayCaster
     /// <param name="turn">2 / |q|² of the pose.</param>
     /// <param name="line">The ray.</param>
     /// <param name="hit">What it met.</param>
-    /// <returns>False where it is to be asked as a <see cref="RayTarget"/>, which knows more.</returns>
+    /// <returns>False where it is to be asked as a <see cref="ShapeForm"/>, which knows more.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static bool TryCastPlain(
-        RayForm form, in Double3 size, double radius, in RigidPose pose, double turn, in WorldRay line,
+        FormKind form, in Double3 size, double radius, in RigidPose pose, double turn, in WorldRay line,
         out RayMeeting hit)
     {
         hit = default;
         if (!(radius >= LeastRadius && radius <= MostRadius)) return false;
         Double3 between = (Double3)line.Origin - pose.Position;
-        if (form == RayForm.Ball) return TryCastBall(size.X, pose, between, line, ref hit);
+        if (form == FormKind.Ball) return TryCastBall(size.X, pose, between, line, ref hit);
         bool isNear = TryApproach(
             default, radius, between, pose, turn, line, ref hit, out RotationD rotation, out LocalRay ray);
         if (hit.Status != CastStatus.None) return true;

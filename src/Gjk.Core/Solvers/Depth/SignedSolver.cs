@@ -103,8 +103,8 @@ internal static class SignedSolver
         where TTrace : struct, IPolytopeTrace
     {
         var verdict = DepthVerdict.Undecided;
-        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == RayForm.Box
-            && ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB) == RayForm.Box)
+        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == FormKind.Box
+            && ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB) == FormKind.Box)
         {
             if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
             verdict = BoxDepth.Solve(halfA, halfB, frame, ref state);
@@ -167,7 +167,7 @@ internal static class SignedSolver
     private static bool MayBeRound<T>(ref T shape)
         where T : struct, ISupportMap =>
         typeof(T) != typeof(HullCore) && typeof(T) != typeof(BoxCore)
-        && ShapeTraits<T>.Of.GetPlain(ref shape, out _) is not (RayForm.Hull or RayForm.Box);
+        && ShapeTraits<T>.Of.GetPlain(ref shape, out _) is not (FormKind.Hull or FormKind.Box);
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -78,7 +78,7 @@ public class HullLookupTests
         for (int i = 0; i < count; i++)
         {
             Double3 d = next.Next();
-            int id = HullSupport.Find(hull.Cells, d, out Double3 point), expected = HullSupport.Scan(hull.Cells, d);
+            int id = HullSupport.Find(hull.Cells, d, out Double3 point), expected = PlainScan.Furthest(hull.Cells, d);
             if (id != expected) Assert.Fail($"{label}, direction {i} {d}: vertex {id}, the scan finds {expected}");
             hull.GetVertex(id, out Double3 vertex);
             if (point != vertex) Assert.Fail($"{label}, direction {i} {d}: {point} is not vertex {id}, {vertex}");
