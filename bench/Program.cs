@@ -5,7 +5,6 @@ using Gjk.Bench.Peers;
 using Gjk.Bench.Reporting;
 using Gjk.Bench.Scale;
 using Gjk.Bench.Table;
-using Gjk.Bench.Worst;
 
 namespace Gjk.Bench;
 
@@ -25,19 +24,12 @@ public static class Program
         if (options.Help) return PrintHelp(options);
         if (options.Factor) return CheckFactors();
 
-        if (options.ScaleWorst)
-        {
-            WorstScale.Run(Console.Out, options.Seconds ?? WorstScale.DefaultSeconds);
-            return Done;
-        }
-
         string? project = options.Csv ? ProjectFolder() : null;
         if (options.Csv && project is null)
             return Complain(
                 "--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder",
                 BadArguments);
         if (options.Table) return PrintTable(options, project);
-        if (options.Worst) return PrintWorst(options, project);
         if (options.Peers) return PrintPeers(options);
         if (options.Mono) return PrintMono(options);
         return options.Scale ? PrintScale(options, project) : Measure([.. options.Remaining]);
@@ -67,17 +59,16 @@ public static class Program
     private static int PrintTable(BenchOptions options, string? project)
     {
         List<TableRow> rows;
-        double meanSlowness;
         try
         {
-            rows = TableRun.Run(Console.Error, options.Seconds ?? TableRun.DefaultSeconds, out meanSlowness);
+            rows = TableRun.Run(Console.Error, options.Seconds ?? TableRun.DefaultSeconds);
         }
         catch (FactorCheckException e)
         {
             return Complain(e.Message, Failed);
         }
 
-        Console.Write(TableReport.Markdown(rows, meanSlowness));
+        Console.Write(TableReport.Markdown(rows));
         if (project is null) return Done;
         string csv = TableReport.Csv(rows, MachineLine(options)), figure = CostFigure.Draw(rows, MachineName(options));
         Keep(ResultFile(options, project, ""), csv, Figure(project, "cost"), figure);
@@ -88,23 +79,11 @@ public static class Program
     private static int PrintScale(BenchOptions options, string? project)
     {
         double seconds = options.Seconds ?? ScaleRun.DefaultSeconds;
-        List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out double slowness, out string startUp);
-        Console.Write(ScaleReport.Markdown(rows, slowness, startUp));
+        List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out string startUp);
+        Console.Write(ScaleReport.Markdown(rows, startUp));
         if (project is null) return Done;
         string csv = ScaleReport.Csv(rows, MachineLine(options)), figure = ScaleFigure.Draw(rows, MachineName(options));
         Keep(ResultFile(options, project, "-scale"), csv, Figure(project, "scale"), figure);
-        return Done;
-    }
-
-    /// <inheritdoc cref="PrintTable"/>
-    private static int PrintWorst(BenchOptions options, string? project)
-    {
-        List<WorstRow> rows = WorstRun.Run(Console.Error);
-        Console.Write(WorstReport.Markdown(rows));
-        if (project is null) return Done;
-        string file = ResultFile(options, project, "-worst");
-        KeptFile.Write(file, WorstReport.Csv(rows, MachineLine(options)));
-        Console.Error.WriteLine($"Figures kept in {file}");
         return Done;
     }
 
