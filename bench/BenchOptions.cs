@@ -31,9 +31,8 @@ public sealed class BenchOptions
           --seconds S       Measure for S seconds, from 0.01 to 600. With --table this is per set (default 6, and a part
                             of it for primitives, depths and the largest hulls), with --scale per row (default 1),
                             with --peers per row (default 2), with --mono per runtime (default 30).
-          --csv             Keep the figures. With --table they go to bench/results/MACHINE.csv, and docs/cost.svg is
-                            drawn. With --scale they go to MACHINE-scale.csv and docs/scale.svg, with --peers to
-                            MACHINE-peers.csv, with --mono to MACHINE-mono.csv.
+          --csv             Keep the figures in bench/results: with --table in MACHINE.csv, with --scale in
+                            MACHINE-scale.csv, with --peers in MACHINE-peers.csv, with --mono in MACHINE-mono.csv.
           --machine NAME    Use this name for those files and for their first line (default: the CPU's model).
           --factor          Check that both algorithms agree on the report's scenes, and that the library takes no more
                             supports there than it should, and no memory. Counts, not times, so a busy machine changes

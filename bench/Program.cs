@@ -70,9 +70,7 @@ public static class Program
 
         Console.Write(TableReport.Markdown(rows));
         if (project is null) return Done;
-        string csv = TableReport.Csv(rows, MachineLine(options)), figure = CostFigure.Draw(rows, MachineName(options));
-        Keep(ResultFile(options, project, ""), csv, Figure(project, "cost"), figure);
-        return Done;
+        return Keep(options, project, "", TableReport.Csv(rows, MachineLine(options)));
     }
 
     /// <inheritdoc cref="PrintTable"/>
@@ -82,9 +80,7 @@ public static class Program
         List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out string startUp);
         Console.Write(ScaleReport.Markdown(rows, startUp));
         if (project is null) return Done;
-        string csv = ScaleReport.Csv(rows, MachineLine(options)), figure = ScaleFigure.Draw(rows, MachineName(options));
-        Keep(ResultFile(options, project, "-scale"), csv, Figure(project, "scale"), figure);
-        return Done;
+        return Keep(options, project, "-scale", ScaleReport.Csv(rows, MachineLine(options)));
     }
 
     private static int PrintPeers(BenchOptions options)
@@ -102,11 +98,7 @@ public static class Program
             List<PeerRow> rows = PeersRun.Run(
                 Console.Error, project, options.Seconds ?? PeersRun.DefaultSeconds, out List<PeerProgram> programs);
             Console.Write(PeersReport.Markdown(rows, programs));
-            if (!options.Csv) return Done;
-            string file = ResultFile(options, project, "-peers");
-            KeptFile.Write(file, PeersReport.Csv(rows, MachineLine(options)));
-            Console.Error.WriteLine($"Figures kept in {file}");
-            return Done;
+            return options.Csv ? Keep(options, project, "-peers", PeersReport.Csv(rows, MachineLine(options))) : Done;
         }
         catch (FactorCheckException e)
         {
@@ -123,11 +115,9 @@ public static class Program
             List<Dictionary<string, double>> figures = MonoRun.Run(
                 Console.Error, project, options.Seconds ?? MonoRun.DefaultSeconds, out string mono);
             Console.Write(MonoReport.Markdown(figures, mono));
-            if (!options.Csv) return Done;
-            string file = ResultFile(options, project, "-mono");
-            KeptFile.Write(file, MonoReport.Csv(figures, MachineLine(options), mono));
-            Console.Error.WriteLine($"Figures kept in {file}");
-            return Done;
+            return options.Csv
+                ? Keep(options, project, "-mono", MonoReport.Csv(figures, MachineLine(options), mono))
+                : Done;
         }
         catch (FactorCheckException e)
         {
@@ -135,11 +125,13 @@ public static class Program
         }
     }
 
-    private static void Keep(string csvFile, string csv, string figureFile, string figure)
+    private static int Keep(BenchOptions options, string project, string suffix, string csv)
     {
-        KeptFile.Write(csvFile, csv);
-        KeptFile.Write(figureFile, figure);
-        Console.Error.WriteLine($"Figures kept in {csvFile} and {figureFile}");
+        string name = Machine.FileName(options.MachineName ?? Machine.CpuModel);
+        string file = Path.Combine(project, "results", name + suffix + ".csv");
+        KeptFile.Write(file, csv);
+        Console.Error.WriteLine($"Figures kept in {file}");
+        return Done;
     }
 
     private static int Measure(string[] args)
@@ -159,15 +151,6 @@ public static class Program
 
     private static string MachineLine(BenchOptions options) =>
         (options.MachineName is null ? "" : options.MachineName.ReplaceLineEndings(" ") + ": ") + Machine.Description;
-
-    private static string MachineName(BenchOptions options) =>
-        (options.MachineName ?? Machine.CpuModel).ReplaceLineEndings(" ");
-
-    private static string Figure(string project, string name) =>
-        Path.GetFullPath(Path.Combine(project, "..", "docs", name + ".svg"));
-
-    private static string ResultFile(BenchOptions options, string project, string suffix) =>
-        Path.Combine(project, "results", Machine.FileName(options.MachineName ?? Machine.CpuModel) + suffix + ".csv");
 
     /// <summary>The folder bench. It is found from the place where the program was built or is run.</summary>
     private static string? ProjectFolder()
