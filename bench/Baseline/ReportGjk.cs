@@ -62,7 +62,3 @@ public static class ReportGjk
     private static MinkowskiPoint Support(SupportCollider a, SupportCollider b, Vector3 direction) =>
         new(a.FindFurthestPoint(direction), b.FindFurthestPoint(-direction));
 }
-
-/// <summary>The answer of the report's distance query.</summary>
-public readonly record struct ReportResult(
-    bool Intersects, float Distance, Vector3 PointA, Vector3 PointB, int Iterations);

@@ -2,12 +2,6 @@ using System.Numerics;
 
 namespace Gjk.Demo.Trace;
 
-/// <summary>A vertex of A - B.</summary>
-internal interface ITextbookVertex
-{
-    Vector3 W { get; }
-}
-
 /// <summary>A vertex of A - B in float, with the two points that it comes from, in world coordinates.</summary>
 internal readonly record struct TextbookVertex(int Step, Vector3 OnA, Vector3 OnB) : ITextbookVertex
 {
