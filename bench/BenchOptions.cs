@@ -12,16 +12,14 @@ public sealed class BenchOptions
 
           --filter GLOB     Run these benchmarks, e.g. '*', '*ReportSceneFrames*', '*Primitives*' (default '*', which
                             takes half an hour; BenchmarkDotNet's --job short takes a part of that).
-          --table           Measure every figure that has a goal: the report's scenes, random pairs, primitives,
-                            hulls of up to 100,000 vertices, the depths and contact points of overlapping pairs,
-                            and casts and rays.
-                            Library and baseline run in turn in this process, without BenchmarkDotNet. Print tables
-                            with the goals scaled to this machine. Takes about two and a half minutes.
+          --table           Measure the report's scenes, random pairs, primitives, hulls of up to 100,000 vertices, the
+                            depths and contact points of overlapping pairs, and casts and rays. Library and baseline
+                            run in turn in this process, without BenchmarkDotNet. Print one table. Takes about two and a
+                            half minutes.
           --scale           Find the intersecting pairs among 20 to 100,000 cubes, at rest and moving, with every broad
                             phase, on one thread and on all, without BenchmarkDotNet. Print the ms per frame in the
                             broad and in the narrow phase, candidates, pairs, memory and bytes allocated. Measure the
-                            report's scenes too, and the first frames of the process. Compare all of it with the
-                            goals. Takes four minutes.
+                            report's scenes too, and the first frames of the process. Takes four minutes.
           --peers           Build small programs against the Debian packages of Bullet, libccd, FCL and ODE, which are
                             installed where that can be done, and run library and engines in turn on the same pairs:
                             distances, booleans and depths, with the wrong answers counted. Takes two minutes.
@@ -30,19 +28,11 @@ public sealed class BenchOptions
                             table with the ratios. Needs Mono (Debian's mono-devel). Takes two minutes.
           --answers DIR     With --peers: time nothing. Write each engine's answers to the pairs of tests/Cases as
                             DIR/ENGINE.FAMILY.csv, for 'gjk-demo judge'.
-          --worst           Measure clouds that were made to be slow, of 10,000 and 100,000 points, without
-                            BenchmarkDotNet: building their hulls, and the slowest supports and the slowest distance
-                            of each. Takes a few minutes.
-          --scale-worst     Measure only the broad phases on the worst arrangements of boxes (rods, plates, points on a
-                            line, identical, nested, ...), without BenchmarkDotNet. Takes a minute.
           --seconds S       Measure for S seconds, from 0.01 to 600. With --table this is per set (default 6, and a part
                             of it for primitives, depths and the largest hulls), with --scale per row (default 1),
-                            with --scale-worst per row (default 0.5), with --peers per row (default 2),
-                            with --mono per runtime (default 30).
-          --csv             Keep the figures. With --table they go to bench/results/MACHINE.csv, and docs/cost.svg is
-                            drawn. With --scale they go to MACHINE-scale.csv and docs/scale.svg. With --worst they go
-                            to MACHINE-worst.csv, with --peers to MACHINE-peers.csv, with --mono to
-                            MACHINE-mono.csv.
+                            with --peers per row (default 2), with --mono per runtime (default 30).
+          --csv             Keep the figures in bench/results: with --table in MACHINE.csv, with --scale in
+                            MACHINE-scale.csv, with --peers in MACHINE-peers.csv, with --mono in MACHINE-mono.csv.
           --machine NAME    Use this name for those files and for their first line (default: the CPU's model).
           --factor          Check that both algorithms agree on the report's scenes, and that the library takes no more
                             supports there than it should, and no memory. Counts, not times, so a busy machine changes
@@ -65,10 +55,6 @@ public sealed class BenchOptions
     public bool Table { get; private set; }
 
     public bool Scale { get; private set; }
-
-    public bool Worst { get; private set; }
-
-    public bool ScaleWorst { get; private set; }
 
     public bool Peers { get; private set; }
 
@@ -108,12 +94,6 @@ public sealed class BenchOptions
                     break;
                 case "--scale":
                     options.Scale = true;
-                    break;
-                case "--worst":
-                    options.Worst = true;
-                    break;
-                case "--scale-worst":
-                    options.ScaleWorst = true;
                     break;
                 case "--peers":
                     options.Peers = true;
@@ -157,26 +137,22 @@ public sealed class BenchOptions
     {
         error = "";
         bool hasForeign = Factor || Remaining.Count > 0;
-        if (Peers && (hasForeign || Table || Scale || Worst || ScaleWorst))
+        if (Peers && (hasForeign || Table || Scale))
             error = "--peers: takes --answers, or --seconds, --csv and --machine only";
-        else if (Mono && (hasForeign || Table || Scale || Worst || ScaleWorst || Peers))
+        else if (Mono && (hasForeign || Table || Scale || Peers))
             error = "--mono: takes --seconds, --csv and --machine only";
         else if (Answers is not null && (!Peers || Csv || Seconds is not null))
             error = "--answers: goes with --peers only, and without --seconds and --csv";
-        else if (Worst && (hasForeign || Table || Scale || Seconds is not null))
-            error = "--worst: takes --csv and --machine only";
         else if (Table && (hasForeign || Scale))
             error = "--table: takes --seconds, --csv and --machine only";
         else if (Scale && hasForeign)
             error = "--scale: takes --seconds, --csv and --machine only";
-        else if (ScaleWorst && (hasForeign || Table || Scale || Csv))
-            error = "--scale-worst: takes --seconds only";
-        else if (Seconds is not null && !Table && !Scale && !ScaleWorst && !Peers && !Mono)
-            error = "--seconds: goes with --table, --scale, --scale-worst, --peers and --mono only";
+        else if (Seconds is not null && !Table && !Scale && !Peers && !Mono)
+            error = "--seconds: goes with --table, --scale, --peers and --mono only";
         else if (Factor && (Csv || MachineName is not null || Remaining.Count > 0))
             error = "--factor: takes no other option";
-        else if (Csv && !Table && !Scale && !Worst && !Peers && !Mono)
-            error = "--csv: goes with --table, --scale, --worst, --peers and --mono only";
+        else if (Csv && !Table && !Scale && !Peers && !Mono)
+            error = "--csv: goes with --table, --scale, --peers and --mono only";
         else if (Help && Remaining.Count > 0 && (Remaining.Count > 1 || Remaining[0] != "all"))
             error = "--help: takes nothing but 'all'";
         return error.Length == 0;

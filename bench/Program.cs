@@ -5,7 +5,6 @@ using Gjk.Bench.Peers;
 using Gjk.Bench.Reporting;
 using Gjk.Bench.Scale;
 using Gjk.Bench.Table;
-using Gjk.Bench.Worst;
 
 namespace Gjk.Bench;
 
@@ -25,19 +24,12 @@ public static class Program
         if (options.Help) return PrintHelp(options);
         if (options.Factor) return CheckFactors();
 
-        if (options.ScaleWorst)
-        {
-            WorstScale.Run(Console.Out, options.Seconds ?? WorstScale.DefaultSeconds);
-            return Done;
-        }
-
         string? project = options.Csv ? ProjectFolder() : null;
         if (options.Csv && project is null)
             return Complain(
                 "--csv: the folder of Gjk.Bench.csproj was not found above the program or the current folder",
                 BadArguments);
         if (options.Table) return PrintTable(options, project);
-        if (options.Worst) return PrintWorst(options, project);
         if (options.Peers) return PrintPeers(options);
         if (options.Mono) return PrintMono(options);
         return options.Scale ? PrintScale(options, project) : Measure([.. options.Remaining]);
@@ -67,45 +59,28 @@ public static class Program
     private static int PrintTable(BenchOptions options, string? project)
     {
         List<TableRow> rows;
-        double meanSlowness;
         try
         {
-            rows = TableRun.Run(Console.Error, options.Seconds ?? TableRun.DefaultSeconds, out meanSlowness);
+            rows = TableRun.Run(Console.Error, options.Seconds ?? TableRun.DefaultSeconds);
         }
         catch (FactorCheckException e)
         {
             return Complain(e.Message, Failed);
         }
 
-        Console.Write(TableReport.Markdown(rows, meanSlowness));
+        Console.Write(TableReport.Markdown(rows));
         if (project is null) return Done;
-        string csv = TableReport.Csv(rows, MachineLine(options)), figure = CostFigure.Draw(rows, MachineName(options));
-        Keep(ResultFile(options, project, ""), csv, Figure(project, "cost"), figure);
-        return Done;
+        return Keep(options, project, "", TableReport.Csv(rows, MachineLine(options)));
     }
 
     /// <inheritdoc cref="PrintTable"/>
     private static int PrintScale(BenchOptions options, string? project)
     {
         double seconds = options.Seconds ?? ScaleRun.DefaultSeconds;
-        List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out double slowness, out string startUp);
-        Console.Write(ScaleReport.Markdown(rows, slowness, startUp));
+        List<ScaleRow> rows = ScaleRun.Run(Console.Error, seconds, out string startUp);
+        Console.Write(ScaleReport.Markdown(rows, startUp));
         if (project is null) return Done;
-        string csv = ScaleReport.Csv(rows, MachineLine(options)), figure = ScaleFigure.Draw(rows, MachineName(options));
-        Keep(ResultFile(options, project, "-scale"), csv, Figure(project, "scale"), figure);
-        return Done;
-    }
-
-    /// <inheritdoc cref="PrintTable"/>
-    private static int PrintWorst(BenchOptions options, string? project)
-    {
-        List<WorstRow> rows = WorstRun.Run(Console.Error);
-        Console.Write(WorstReport.Markdown(rows));
-        if (project is null) return Done;
-        string file = ResultFile(options, project, "-worst");
-        KeptFile.Write(file, WorstReport.Csv(rows, MachineLine(options)));
-        Console.Error.WriteLine($"Figures kept in {file}");
-        return Done;
+        return Keep(options, project, "-scale", ScaleReport.Csv(rows, MachineLine(options)));
     }
 
     private static int PrintPeers(BenchOptions options)
@@ -123,11 +98,7 @@ public static class Program
             List<PeerRow> rows = PeersRun.Run(
                 Console.Error, project, options.Seconds ?? PeersRun.DefaultSeconds, out List<PeerProgram> programs);
             Console.Write(PeersReport.Markdown(rows, programs));
-            if (!options.Csv) return Done;
-            string file = ResultFile(options, project, "-peers");
-            KeptFile.Write(file, PeersReport.Csv(rows, MachineLine(options)));
-            Console.Error.WriteLine($"Figures kept in {file}");
-            return Done;
+            return options.Csv ? Keep(options, project, "-peers", PeersReport.Csv(rows, MachineLine(options))) : Done;
         }
         catch (FactorCheckException e)
         {
@@ -144,11 +115,9 @@ public static class Program
             List<Dictionary<string, double>> figures = MonoRun.Run(
                 Console.Error, project, options.Seconds ?? MonoRun.DefaultSeconds, out string mono);
             Console.Write(MonoReport.Markdown(figures, mono));
-            if (!options.Csv) return Done;
-            string file = ResultFile(options, project, "-mono");
-            KeptFile.Write(file, MonoReport.Csv(figures, MachineLine(options), mono));
-            Console.Error.WriteLine($"Figures kept in {file}");
-            return Done;
+            return options.Csv
+                ? Keep(options, project, "-mono", MonoReport.Csv(figures, MachineLine(options), mono))
+                : Done;
         }
         catch (FactorCheckException e)
         {
@@ -156,11 +125,13 @@ public static class Program
         }
     }
 
-    private static void Keep(string csvFile, string csv, string figureFile, string figure)
+    private static int Keep(BenchOptions options, string project, string suffix, string csv)
     {
-        KeptFile.Write(csvFile, csv);
-        KeptFile.Write(figureFile, figure);
-        Console.Error.WriteLine($"Figures kept in {csvFile} and {figureFile}");
+        string name = Machine.FileName(options.MachineName ?? Machine.CpuModel);
+        string file = Path.Combine(project, "results", name + suffix + ".csv");
+        KeptFile.Write(file, csv);
+        Console.Error.WriteLine($"Figures kept in {file}");
+        return Done;
     }
 
     private static int Measure(string[] args)
@@ -180,15 +151,6 @@ public static class Program
 
     private static string MachineLine(BenchOptions options) =>
         (options.MachineName is null ? "" : options.MachineName.ReplaceLineEndings(" ") + ": ") + Machine.Description;
-
-    private static string MachineName(BenchOptions options) =>
-        (options.MachineName ?? Machine.CpuModel).ReplaceLineEndings(" ");
-
-    private static string Figure(string project, string name) =>
-        Path.GetFullPath(Path.Combine(project, "..", "docs", name + ".svg"));
-
-    private static string ResultFile(BenchOptions options, string project, string suffix) =>
-        Path.Combine(project, "results", Machine.FileName(options.MachineName ?? Machine.CpuModel) + suffix + ".csv");
 
     /// <summary>The folder bench. It is found from the place where the program was built or is run.</summary>
     private static string? ProjectFolder()

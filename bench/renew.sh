@@ -8,7 +8,7 @@ if [ "${1:-}" != --pages ]; then
   dotnet build -c Release -v quiet --nologo bench
   # A run that breaks off leaves the old figures.
   old=$(mktemp -d)
-  find bench/results -name '*.csv' ! -name cited.csv ! -name '*-judge.csv' -exec mv {} "$old" \;
+  find bench/results -name '*.csv' ! -name 'cited*.csv' ! -name '*-judge.csv' -exec mv {} "$old" \;
   trap 'cp "$old"/*.csv bench/results; rm -rf "$old"' EXIT
   for what in table peers scale mono; do
     dotnet run -c Release --no-build --project bench -- --$what --csv

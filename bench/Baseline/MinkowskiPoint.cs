@@ -1,9 +1,10 @@
+using Gjk.Demo.Trace;
+
 namespace Gjk.Bench.Baseline;
 
 /// <summary>A vertex of the Minkowski difference, with the two points that it comes from.</summary>
-public readonly struct MinkowskiPoint
+internal readonly struct MinkowskiPoint : ITextbookVertex
 {
-    public readonly Vector3 W;
     public readonly Vector3 OnA;
     public readonly Vector3 OnB;
 
@@ -13,4 +14,6 @@ public readonly struct MinkowskiPoint
         OnA = onA;
         OnB = onB;
     }
+
+    public Vector3 W { get; }
 }

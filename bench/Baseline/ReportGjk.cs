@@ -1,3 +1,5 @@
+using Gjk.Demo.Trace;
+
 namespace Gjk.Bench.Baseline;
 
 /// <summary>The algorithm of the 2022 report, written from its description. It is the baseline for this library. It
@@ -26,8 +28,7 @@ public static class ReportGjk
             MinkowskiPoint next = Support(a, b, direction);
             if (Vector3.Dot(next.W, direction) < 0) return false;
             simplex.Add(next);
-            if (simplex.Count == 1) direction = -next.W;
-            else if (NextSimplex.Update(simplex, ref direction)) return true;
+            if (TextbookSimplex<MinkowskiPoint>.Reduce(simplex, ref direction)) return true;
         }
 
         return false;
@@ -45,7 +46,7 @@ public static class ReportGjk
             if (Vector3.Dot(next.W, direction) - Vector3.Dot(closest, direction) < ProgressEpsilon)
                 return new ReportResult(false, closest.Length(), pointA, pointB, i + 1);
             simplex.Add(next);
-            if (NextSimplex.Update(simplex, ref direction)) return new ReportResult(true, 0, pointA, pointB, i + 1);
+            if (TextbookSimplex<MinkowskiPoint>.Reduce(simplex, ref direction)) return new ReportResult(true, 0, pointA, pointB, i + 1);
             closest = ClosestPoint.Find(simplex, out pointA, out pointB);
         }
 

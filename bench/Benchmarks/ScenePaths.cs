@@ -5,8 +5,7 @@ using Gjk.Core;
 namespace Gjk.Bench.Benchmarks;
 
 /// <summary>Rays and moving boxes through a whole scene at rest. The figures are per ray, or per box, with their
-/// queries; the rays begin anywhere in the room and go in all directions. The goals for 100,000 objects are 2 and 6
-/// microseconds.</summary>
+/// queries; the rays begin anywhere in the room and go in all directions.</summary>
 [MemoryDiagnoser]
 public class ScenePaths
 {

@@ -3,7 +3,7 @@ namespace Gjk.Bench.Scale;
 /// <summary>Repeats frames.</summary>
 internal static class FrameLoop
 {
-    /// <summary>Seconds. The goal is that nothing is allocated after the first second. By then the runtime has also
+    /// <summary>Seconds. Nothing should be allocated after the first second. By then the runtime has also
     /// optimised the code with the profile it collected.</summary>
     private const double WarmUpSeconds = 1;
 

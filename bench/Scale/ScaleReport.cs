@@ -7,9 +7,9 @@ internal static class ScaleReport
 {
     private const string CsvHeader =
         "scene,question,objects,motion,broad_phase,threads,broad_ms,narrow_ms,frame_ms,candidates,pairs,touching_share,"
-        + "bytes_per_frame,memory_mb,goal_ms,goal_here_ms,met";
+        + "bytes_per_frame,memory_mb";
 
-    public static string Markdown(IReadOnlyCollection<ScaleRow> rows, double slowness, string startUp)
+    public static string Markdown(IReadOnlyCollection<ScaleRow> rows, string startUp)
     {
         var text = new StringBuilder();
         text.Append("| objects | | broad phase | threads | move + broad, ms | narrow, ms | frame, ms | candidates ");
@@ -25,15 +25,6 @@ internal static class ScaleReport
                 + $"| {f.TouchingShare:0 %} | {f.BytesPerFrame:0.##} | {f.MemoryMb:0.0} |\n");
         }
 
-        text.Append("\n| goal | ms | here | frame, ms | |\n|---|--:|--:|--:|---|\n");
-        foreach (ScaleRow r in rows.Where(r => r.Goal is not null))
-        {
-            text.Append(
-                CultureInfo.InvariantCulture,
-                $"| {Name(r)} | {r.Goal:0.0##} | {Ms(r.GoalHere)} | {Ms(r.Figures.FrameMs)} "
-                + $"| {(r.Met == true ? "met" : "missed")} |\n");
-        }
-
         AppendReportScenes(text, rows);
         text.Append(CultureInfo.InvariantCulture, $"\n{Growth(rows)}\n{startUp}");
         text.Append(
@@ -41,8 +32,6 @@ internal static class ScaleReport
             $"""
             The figures are medians over a second of frames, after a second of warm-up. The narrow phase runs on all
             threads, the broad phase on one. At rest, a pair keeps its distance from frame to frame: nothing is solved.
-            "Here" is the goal times the slowness of this machine, {slowness:0.00}. The slowness is the time of the
-            report's algorithm here, divided by its time where the goals were set.
 
             """);
         return text.ToString();
@@ -68,7 +57,6 @@ internal static class ScaleReport
         foreach (ScaleRow r in rows)
         {
             FrameFigures f = r.Figures;
-            string met = r.Met switch { true => "true", false => "false", null => "" };
             text.Append(
                 CultureInfo.InvariantCulture,
                 $"{r.Scene},{r.Question.ToString().ToLowerInvariant()},{r.Objects},{Motion(r).Replace(' ', '-')},"
@@ -76,8 +64,7 @@ internal static class ScaleReport
             text.Append(
                 CultureInfo.InvariantCulture,
                 $"{f.BroadMs:0.######},{f.NarrowMs:0.######},{f.FrameMs:0.######},{f.Candidates:0.#},{f.Pairs:0.#},"
-                + $"{f.TouchingShare:0.###},{f.BytesPerFrame:0.##},{f.MemoryMb:0.##},"
-                + $"{r.Goal},{r.GoalHere:0.####},{met}\n");
+                + $"{f.TouchingShare:0.###},{f.BytesPerFrame:0.##},{f.MemoryMb:0.##}\n");
         }
 
         return text.ToString();
@@ -90,30 +77,24 @@ internal static class ScaleReport
         _ => throw new ArgumentOutOfRangeException(nameof(phase)),
     };
 
-    /// <summary>How the time of the tree's moving frames grows over the largest goals, compared with n log n.</summary>
+    /// <summary>How the time of the tree's moving frames grows over the three largest scenes, on all threads, compared
+    /// with n log n.</summary>
     private static string Growth(IEnumerable<ScaleRow> rows)
     {
-        ScaleRow[] judged =
+        ScaleRow[] tree =
         [
-            .. rows.Where(r => r.Scene == ScaleRun.Room && r.Goal is not null).OrderBy(r => r.Objects),
+            .. rows.Where(r => r is
+            {
+                Scene: ScaleRun.Room, IsMoving: true, Phase: Core.BroadPhaseKind.DynamicTree, Objects: >= 2_000,
+            })
+            .OrderBy(r => r.Objects).ThenBy(r => r.Threads),
         ];
-        ScaleRow first = judged[0], last = judged[^1];
+        ScaleRow last = tree[^1], first = tree.First(r => r.Threads == last.Threads);
         double expected = last.Objects * Math.Log(last.Objects) / (first.Objects * Math.Log(first.Objects));
         return string.Create(
             CultureInfo.InvariantCulture,
             $"From {first.Objects:#,0} to {last.Objects:#,0} moving objects a frame takes "
             + $"{last.Figures.FrameMs / first.Figures.FrameMs:0} times as long; n log n grows by {expected:0}.");
-    }
-
-    private static string Name(ScaleRow r)
-    {
-        if (r.Scene == ScaleRun.Room)
-        {
-            return string.Create(
-                CultureInfo.InvariantCulture, $"{r.Objects:#,0} {Motion(r)} cubes, intersecting pairs");
-        }
-
-        return $"the report's {r.Scene}, {Motion(r)}, {QuestionName(r)}";
     }
 
     private static string QuestionName(ScaleRow r) =>

@@ -8,14 +8,9 @@ namespace Gjk.Bench.Scale;
 /// <param name="Phase">How pairs are found.</param>
 /// <param name="Threads">How many threads share the narrow phase.</param>
 /// <param name="Figures">What was measured.</param>
-/// <param name="Goal">The goal on the goals' machine. Null if none was set.</param>
-/// <param name="GoalHere">The goal scaled to this machine.</param>
 internal sealed record ScaleRow(
     string Scene, Question Question, int Objects, bool IsMoving, Core.BroadPhaseKind Phase, int Threads,
-    FrameFigures Figures, double? Goal = null, double? GoalHere = null)
-{
-    public bool? Met => GoalHere is double goal ? Figures.FrameMs <= goal : null;
-}
+    FrameFigures Figures);
 
 /// <summary>The question that each frame asks.</summary>
 internal enum Question

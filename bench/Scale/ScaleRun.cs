@@ -19,25 +19,13 @@ internal static class ScaleRun
 
     /// <param name="progress">Receives a line per size.</param>
     /// <param name="seconds">How many seconds to measure a row, after a warm-up of one second.</param>
-    /// <param name="slowness">How many times slower this machine is than the goals' machine.</param>
     /// <param name="startUp">The first frames of the process, as text.</param>
-    public static List<ScaleRow> Run(TextWriter progress, double seconds, out double slowness, out string startUp)
+    public static List<ScaleRow> Run(TextWriter progress, double seconds, out string startUp)
     {
         progress.WriteLine("start-up");
         startUp = StartUpClock.Measure();
-        progress.WriteLine("the baseline");
-        double slower = ScaleGoals.Slowness();
-        slowness = slower;
         using var workers = new Workers();
-        IEnumerable<ScaleRow> rows = ReportRows(progress, seconds).Concat(RoomRows(progress, seconds, workers));
-        return
-        [
-            .. rows.Select(row =>
-            {
-                double? goal = ScaleGoals.For(row, workers.ThreadCount);
-                return row with { Goal = goal, GoalHere = goal * slower };
-            }),
-        ];
+        return [.. ReportRows(progress, seconds), .. RoomRows(progress, seconds, workers)];
     }
 
     private static IEnumerable<ScaleRow> ReportRows(TextWriter progress, double seconds)

@@ -27,8 +27,7 @@ internal static class TableRun
 
     /// <param name="progress">Receives a line per set.</param>
     /// <param name="seconds">How many seconds to measure a set.</param>
-    /// <param name="meanSlowness">How many times slower this machine is than the goals' machine.</param>
-    public static List<TableRow> Run(TextWriter progress, double seconds, out double meanSlowness)
+    public static List<TableRow> Run(TextWriter progress, double seconds)
     {
         progress.WriteLine("building the sets");
         TableSet[] scenes =
@@ -52,10 +51,8 @@ internal static class TableRun
         Measure(progress, depths, seconds * DepthShare);
         Measure(progress, casts, seconds * CastShare);
 
-        double mean = Goals.MeanSlowness(scenes.Select(s => s.Slowness).OfType<double>());
-        meanSlowness = mean;
         TableSet[] all = [.. scenes, .. primitives, .. large, .. depths, .. casts];
-        return [.. all.SelectMany(s => s.Rows(mean))];
+        return [.. all.SelectMany(s => s.Rows())];
     }
 
     private static void Measure(TextWriter progress, TableSet[] sets, double seconds)

@@ -32,13 +32,6 @@ internal sealed class TableSet
 
     public IReadOnlyCollection<TimedLoop> Loops => _loops;
 
-    /// <summary>The report's distance. Null for depths and casts.</summary>
-    public TimedLoop? Baseline => _baseline;
-
-    /// <summary>How many times slower this machine is than the goals' machine. Null if there is no figure for that
-    /// machine.</summary>
-    public double? Slowness => _baseline is null ? null : Goals.Slowness(Name, _baseline.Nanoseconds);
-
     public static TableSet OfReportScene(string name)
     {
         BenchScene scene = ReportScenes.Create(name);
@@ -97,16 +90,13 @@ internal sealed class TableSet
         return set;
     }
 
-    /// <param name="meanSlowness">The slowness for goals of sets that have none of their own.</param>
-    public IEnumerable<TableRow> Rows(double meanSlowness)
+    public IEnumerable<TableRow> Rows()
     {
         foreach ((Query query, Func<double> nanoseconds) in _library)
         {
             bool isBoolean = query is Query.Boolean or Query.BatchBoolean && _baselineBoolean is not null;
             TimedLoop? baseline = isBoolean ? _baselineBoolean : _baseline;
-            yield return new TableRow(
-                Name, _vertices, _pairs, query, nanoseconds(), baseline?.Nanoseconds, Goals.For(Name, query),
-                Goals.BestEngine(Name, query), Slowness ?? meanSlowness);
+            yield return new TableRow(Name, _vertices, _pairs, query, nanoseconds(), baseline?.Nanoseconds);
         }
     }
 

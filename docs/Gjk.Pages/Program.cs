@@ -17,7 +17,7 @@ internal static class Program
             return args is ["--help"] or ["-h"] ? 0 : 2;
         }
 
-        foreach (Figure figure in AllFigures.Make())
+        foreach (Figure figure in AllFigures.Make("."))
             File.WriteAllText(Path.Combine("docs", "figures", figure.Name + ".svg"), figure.Svg);
         string api = Directory.CreateDirectory(Path.Combine("docs", "api")).FullName;
         foreach ((string name, string text) in ReferencePages.Make(Path.Combine("src", "Gjk.Core")))

@@ -5,12 +5,12 @@ namespace Gjk.Docs.Tests;
 /// <summary>The figures are what the library draws now, and show what their captions say.</summary>
 public class FigureTests
 {
-    public static TheoryData<string> Names => [.. AllFigures.Make().Select(f => f.Name)];
+    public static TheoryData<string> Names => [.. AllFigures.Make(Page.PathOf(".")).Select(f => f.Name)];
 
     [Theory, MemberData(nameof(Names))]
     public void FiguresAreDrawnByTheLibrary(string name)
     {
-        string drawn = AllFigures.Make().Single(f => f.Name == name).Svg;
+        string drawn = AllFigures.Make(Page.PathOf(".")).Single(f => f.Name == name).Svg;
         Assert.Equal(Page.Read(Path.Combine("docs", "figures", name + ".svg")), drawn);
     }
 

@@ -2,10 +2,11 @@ using System.Collections.Generic;
 
 namespace Gjk.Pages;
 
-/// <summary>The figures of the book, in its order.</summary>
+/// <summary>The figures of the book, in its order, and those of the results.</summary>
 internal static class AllFigures
 {
-    public static IEnumerable<Figure> Make()
+    /// <param name="folder">The project's folder.</param>
+    public static IEnumerable<Figure> Make(string folder)
     {
         yield return OriginFigure.Draw();
         yield return DifferenceFigure.Draw();
@@ -20,5 +21,6 @@ internal static class AllFigures
         yield return DepthFigure.Draw();
         yield return MarginsFigure.Draw();
         yield return ConcaveFigure.Draw();
+        foreach (Figure chart in ResultBlocks.Charts(folder)) yield return chart;
     }
 }

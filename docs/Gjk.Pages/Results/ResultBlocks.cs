@@ -59,6 +59,14 @@ internal static partial class ResultBlocks
         };
     }
 
+    /// <summary>The charts of the same files.</summary>
+    /// <param name="folder">The project's folder.</param>
+    public static IEnumerable<Figure> Charts(string folder)
+    {
+        ResultFile scale = Only(Path.Combine(folder, "bench", "results"), "-scale.csv");
+        return ResultCharts.Draw(new(scale.Path.Replace("-scale.csv", ".csv")), scale);
+    }
+
     /// <summary>Of two machines a page would have to choose, so only one is kept.</summary>
     private static ResultFile Only(string folder, string ending) =>
         Directory.GetFiles(folder, "*" + ending) is [var file]

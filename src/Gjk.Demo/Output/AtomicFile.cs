@@ -4,15 +4,17 @@ namespace Gjk.Demo.Output;
 
 /// <summary>A file that appears as a whole or not at all. It is written under another name beside its target and
 /// renamed at the end, so a command that is refused, interrupted or killed leaves the old file as it was. A link to the
-/// target stays a link. The new file keeps the permissions of the old one, and its owner where the system allows it. A
-/// device or a pipe has no contents to protect, so it is written to directly.</summary>
+/// target stays a link. The new file keeps the permissions of the old one; it belongs to the user who runs the command,
+/// and other hard links keep the old content. A device or a pipe has no contents to protect, so it is written to
+/// directly.</summary>
 internal sealed class AtomicFile : IDisposable
 {
     private const UnixFileMode OwnerOnly = UnixFileMode.UserRead | UnixFileMode.UserWrite;
 
-    private const UnixFileMode AnyWrite = UnixFileMode.UserWrite | UnixFileMode.GroupWrite | UnixFileMode.OtherWrite;
-
     private const UnixFileMode SpecialBits = UnixFileMode.SetUser | UnixFileMode.SetGroup | UnixFileMode.StickyBit;
+
+    /// <summary>Devices that take everything and have a position like files.</summary>
+    private static readonly string[] NullDevices = ["/dev/null", "/dev/full"];
 
     private readonly string _name;
     private readonly OutputTarget _target;
@@ -42,18 +44,17 @@ internal sealed class AtomicFile : IDisposable
             {
                 _stream = OutputConsole.OpenStream(cancel);
             }
-            else if (_target.Status.Kind == FileKind.Stream)
+            else if (_target.Exists && OpenIfStream(_target, cancel) is { } stream)
             {
-                _stream = new RefusingStream(name, OpenStream(_target.Path, cancel), cancel);
+                _stream = new RefusingStream(name, stream, cancel);
             }
             else
             {
-                if (_target.Status.Kind == FileKind.Regular) CheckWritable(_target);
-
                 // The length of this name is fixed, because the target's name may already be as long as the file system
                 // allows.
+                ReplacesAFile = _target.Exists;
                 _temporary = Path.Combine(Path.GetDirectoryName(_target.Path)!, $".gjk-demo.{Guid.NewGuid():N}.tmp");
-                _stream = new RefusingStream(name, CreateLike(_target.Status, _temporary), CancellationToken.None);
+                _stream = new RefusingStream(name, Create(_temporary, _target), CancellationToken.None);
             }
         }
         catch (Exception e) when (RefusedException.IsFileTrouble(e))
@@ -65,16 +66,17 @@ internal sealed class AtomicFile : IDisposable
         _onCancel = cancel.Register(OnCancel);
     }
 
-    /// <summary>Refuses a target that could not be written now, and changes nothing. A pipe is not opened, because its
-    /// reader would see an end of file.</summary>
+    /// <summary>Refuses a target that could not be written now, and changes nothing. An empty target may be a pipe. It is
+    /// not opened, because a pipe's reader would see an end of file.</summary>
     /// <exception cref="RefusedException">The target cannot be written.</exception>
     public static void Check(string name)
     {
-        if (!IsStream(name)) new AtomicFile(name, CancellationToken.None).Dispose();
+        if (!TargetFiles.Resolve(name, "cannot be written", OutputTarget.Of).IsEmpty)
+            new AtomicFile(name, CancellationToken.None).Dispose();
     }
 
     /// <summary>True if <see cref="Commit"/> would replace a file that exists now.</summary>
-    public bool ReplacesAFile => _target is { Status.Kind: FileKind.Regular, IsStandardOutput: false };
+    public bool ReplacesAFile { get; }
 
     /// <summary>Takes the content. A write that fails throws <see cref="RefusedException"/>.</summary>
     public Stream Stream => _stream;
@@ -135,29 +137,8 @@ internal sealed class AtomicFile : IDisposable
         }
     }
 
-    private static bool IsStream(string name)
-    {
-        try
-        {
-            OutputTarget target = OutputTarget.Of(name);
-            return target.IsStandardOutput || target.Status.Kind == FileKind.Stream;
-        }
-        catch (Exception e) when (RefusedException.IsFileTrouble(e))
-        {
-            return false;
-        }
-    }
-
-    /// <summary>Checks the write permission here, because a rename does not need permission to write the file that it
-    /// replaces. Root may write everything, but a file that nobody may write is refused to root as well.</summary>
-    private static void CheckWritable(in OutputTarget target)
-    {
-        bool isProtected = !OperatingSystem.IsWindows() && (target.Status.Mode & AnyWrite) == 0;
-        if (isProtected) throw new IOException("it is read-only");
-        new FileStream(target.Path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete).Dispose();
-    }
-
-    private static FileStream CreateLike(in FileStatus old, string file)
+    /// <summary>Creates the temporary file with the permissions of the target.</summary>
+    private static FileStream Create(string file, in OutputTarget target)
     {
         var options = new FileStreamOptions
         {
@@ -165,34 +146,30 @@ internal sealed class AtomicFile : IDisposable
             Access = FileAccess.Write,
             Share = FileShare.Read | FileShare.Delete,
         };
-        if (OperatingSystem.IsWindows() || old.Kind != FileKind.Regular) return new FileStream(file, options);
+        if (OperatingSystem.IsWindows() || !target.Exists) return new FileStream(file, options);
 
         // A user who could not read the old file must not be able to read the new one, not even while it is written.
+        // The new file may have another owner, so it does not get the special bits.
         options.UnixCreateMode = OwnerOnly;
         var stream = new FileStream(file, options);
-        try
-        {
-            // Changing the owner clears the special bits, so the permissions are set afterwards. A file that belongs to
-            // another owner does not get the special bits back.
-            bool keepsOwner = NativeFileStatus.TryChangeOwner(stream.SafeFileHandle, old.Owner, old.Group);
-            File.SetUnixFileMode(stream.SafeFileHandle, keepsOwner ? old.Mode : old.Mode & ~SpecialBits);
-            return stream;
-        }
-        catch
-        {
-            stream.Dispose();
-            throw;
-        }
+        File.SetUnixFileMode(stream.SafeFileHandle, File.GetUnixFileMode(target.Path) & ~SpecialBits);
+        return stream;
     }
 
-    /// <summary>Opens the target on another thread, because opening a pipe waits for its reader and no signal ends that
-    /// wait. The stream has no buffer. Closing it therefore writes nothing and cannot wait either.</summary>
-    private static FileStream OpenStream(string path, CancellationToken cancel)
+    /// <summary>Opens the target for writing, which needs the permission that a rename does not need, and returns it if it
+    /// is a pipe or a device. This happens on another thread, because opening a pipe waits for its reader and no signal
+    /// ends that wait. The stream has no buffer. Closing it therefore writes nothing and cannot wait either.</summary>
+    /// <returns>Null if it is a file with contents of its own.</returns>
+    private static FileStream? OpenIfStream(OutputTarget target, CancellationToken cancel)
     {
-        FileStream Open() => new(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, bufferSize: 0);
+        const FileShare share = FileShare.ReadWrite | FileShare.Delete;
+        FileStream Open() => new(target.Path, FileMode.Open, FileAccess.Write, share, bufferSize: 0);
         Task<FileStream> open = Task.Run(Open, CancellationToken.None);
         Task.WaitAny([open], cancel);
-        return open.GetAwaiter().GetResult();
+        FileStream stream = open.GetAwaiter().GetResult();
+        if (!stream.CanSeek || Array.IndexOf(NullDevices, target.Path) >= 0) return stream;
+        stream.Dispose();
+        return target.IsDevice ? throw new IOException("it is neither a file nor a stream") : null;
     }
 
     private static void TryDelete(string file)

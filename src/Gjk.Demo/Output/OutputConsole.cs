@@ -37,11 +37,11 @@ internal static class OutputConsole
 
         // Only a regular file has a position. The console's stream shares it with the other processes that write to
         // that file.
-        bool isPipe = IsPlain && !OperatingSystem.IsWindows() && FileStatus.Of("/dev/stdout").Kind == FileKind.Stream;
-        Stream stream = isPipe ? new PipeStream(StandardOutput) : Console.OpenStandardOutput();
+        PipeStream? pipe = IsPlain && !OperatingSystem.IsWindows() ? PipeStream.TryOpen(StandardOutput) : null;
+        Stream stream = pipe ?? Console.OpenStandardOutput();
 
         // The console's own stream locks Console.Out, so a write to it must stay on the thread that may hold that lock.
-        bool waits = isPipe || !IsPlain;
+        bool waits = pipe is not null || !IsPlain;
         return new RefusingStream("standard output", stream, waits ? cancel : CancellationToken.None);
     }
 

@@ -18,9 +18,15 @@ internal sealed class PipeStream : WriteOnlyStream
 
     private readonly FileStream _pipe;
 
-    /// <param name="descriptor">The Unix file descriptor of the open pipe. It stays open.</param>
-    public PipeStream(int descriptor) =>
-        _pipe = new FileStream(new SafeFileHandle(descriptor, ownsHandle: false), FileAccess.Write, bufferSize: 0);
+    private PipeStream(FileStream pipe) => _pipe = pipe;
+
+    /// <summary>The open pipe of a Unix file descriptor, or null if that is not a pipe. It stays open.</summary>
+    public static PipeStream? TryOpen(int descriptor)
+    {
+        var handle = new SafeFileHandle(descriptor, ownsHandle: false);
+        var stream = new FileStream(handle, FileAccess.Write, bufferSize: 0);
+        return stream.CanSeek ? null : new PipeStream(stream);
+    }
 
     /// <exception cref="ReaderGoneException">Nobody reads the pipe any more.</exception>
     public override void Write(ReadOnlySpan<byte> buffer)

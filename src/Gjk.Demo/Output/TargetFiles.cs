@@ -1,9 +1,8 @@
 namespace Gjk.Demo.Output;
 
-/// <summary>Checks that the files to be written are neither the command's input nor each other. Files are compared
-/// instead of paths, because links, hard links and other spellings of a name lead to the same file. Paths without links
-/// are compared where the operating system cannot be asked (see <see cref="NativeFileStatus"/>). A hard link that goes
-/// unnoticed then does no harm. A file is replaced by a rename, which leaves its other names unchanged.</summary>
+/// <summary>Checks that the files to be written are neither the command's input nor each other. Paths without links are
+/// compared, because links and other spellings of a name lead to the same file. A hard link goes unnoticed and does no
+/// harm. A file is replaced by a rename, which leaves its other names unchanged.</summary>
 internal static class TargetFiles
 {
     private const string StandardInputFile = "/dev/stdin", StandardOutputFile = "/dev/stdout";
@@ -22,7 +21,7 @@ internal static class TargetFiles
     public static void Check(string? input, string what, params (string Option, string? File)[] outputs)
     {
         string? source = input == InputFile.StandardInput ? StandardInputFile : input;
-        if (!string.IsNullOrEmpty(source)) source = Resolve(source, "cannot be read", FullPath.Of);
+        if (!string.IsNullOrEmpty(source)) source = Resolve(source, "cannot be read", RealPath.Of);
         var known = new List<(string Option, string Path)>();
         foreach ((string option, string? file) in outputs)
         {
@@ -30,14 +29,14 @@ internal static class TargetFiles
             OutputTarget target = Resolve(file, "cannot be written", OutputTarget.Of);
 
             // A device or a pipe can be read and written at the same time. A terminal is one example.
-            if (source is not null && target.Status.Kind != FileKind.Stream && FileStatus.IsSame(source, target.Path))
+            if (!target.IsDevice && !string.IsNullOrEmpty(source) && target.IsAt(source))
                 throw new RefusedException($"{file}: {option} would overwrite {what}");
-            bool isFile = !target.IsStandardOutput && target.Status.Kind == FileKind.Regular;
-            if (isFile && FileStatus.IsSame(StandardOutputFile, target.Path))
+            bool isFile = !OperatingSystem.IsWindows() && !target.IsDevice;
+            if (isFile && target.IsAt(RealPath.Of(StandardOutputFile)))
                 throw new RefusedException($"{file}: {option} would overwrite standard output");
             foreach ((string other, string path) in known)
             {
-                if (FileStatus.IsSame(path, target.Path))
+                if (target.IsAt(path))
                     throw new RefusedException($"{file}: {option} would overwrite what {other} writes");
             }
 
@@ -45,7 +44,8 @@ internal static class TargetFiles
         }
     }
 
-    private static T Resolve<T>(string file, string failed, Func<string, T> resolve)
+    /// <exception cref="RefusedException">The name leads nowhere.</exception>
+    public static T Resolve<T>(string file, string failed, Func<string, T> resolve)
     {
         try
         {

@@ -17,7 +17,6 @@ internal sealed class SceneTimer
     private readonly PairLoop _pairs;
     private readonly ConcaveLoop? _concave;
     private readonly ScenePath _path;
-    private readonly bool _isCast;
     private readonly TimeSpan _duration;
     private readonly Action<double> _progress;
     private readonly CancellationToken _cancel;
@@ -32,11 +31,14 @@ internal sealed class SceneTimer
         _pairs = new PairLoop(scene, cancel);
         _concave = scene.IsConvex ? null : new ConcaveLoop(scene, cancel);
         _path = new ScenePath(scene);
-        _isCast = scene.HasVelocities && !scene.HasTurns;
+        AreCastsTimed = scene.HasVelocities && !scene.HasTurns;
         _duration = duration;
         _progress = progress;
         _cancel = cancel;
     }
+
+    /// <summary>True if an object has a velocity, and none turns.</summary>
+    public bool AreCastsTimed { get; }
 
     /// <summary>Measures everything. Without pairs there is nothing to measure, and all means are null.</summary>
     public SceneTimes Run()
@@ -65,7 +67,7 @@ internal sealed class SceneTimer
         times.BatchBoolNs = Measure(_pairs.BatchBoolean, _pairs.Count, BatchShare).MinimumNs;
         int overlapping = _pairs.CollectOverlapping();
         if (overlapping > 0) times.DepthNs = Measure(_pairs.Depth, overlapping, OtherShare).MinimumNs;
-        if (_isCast) times.CastNs = Measure(_pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
+        if (AreCastsTimed) times.CastNs = Measure(_pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
     }
 
     private void MeasureConcave(SceneTimes times, ConcaveLoop pairs)
@@ -78,7 +80,7 @@ internal sealed class SceneTimer
         times.BytesPerCall = BytesPerCall(() => pairs.Distances());
         times.MovingNs = MeasureMoving(pairs.Distances);
         times.BoolNs = Measure(pairs.Boolean, _pairs.Count, OtherShare).MinimumNs;
-        if (_isCast) times.CastNs = Measure(pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
+        if (AreCastsTimed) times.CastNs = Measure(pairs.Casts, _pairs.Count, OtherShare).MinimumNs;
     }
 
     private double MeasureMoving(Action<RigidPose[]> pass)

@@ -3,7 +3,7 @@ using Gjk.Core;
 namespace Gjk.Exact.Randomness;
 
 /// <summary>Seeded draws for shapes and poses, as fuzz, the made meshes and the built-in scenes need them.</summary>
-public sealed class FuzzRandom : SplitMix64
+public class FuzzRandom : SplitMix64
 {
     public FuzzRandom(ulong seed)
         : base(seed)
@@ -29,14 +29,18 @@ public sealed class FuzzRandom : SplitMix64
 
     public int Sign() => OneIn(2) ? -1 : 1;
 
-    /// <summary>A unit vector drawn evenly: a point of the ball, brought to unit length.</summary>
-    public Double3 Direction()
+    /// <summary>A unit vector drawn evenly: a point of the ball, brought to unit length. Trigonometry could differ
+    /// between machines.</summary>
+    public Double3 Direction() => Direction(0.01);
+
+    /// <param name="least">A point of a smaller squared length is drawn again.</param>
+    protected Double3 Direction(double least)
     {
         while (true)
         {
             var v = new Double3(Range(-1, 1), Range(-1, 1), Range(-1, 1));
             double squared = v.LengthSquared;
-            if (squared is > 0.01 and <= 1) return v * (1 / Math.Sqrt(squared));
+            if (squared > least && squared <= 1) return v * (1 / Math.Sqrt(squared));
         }
     }
 }

@@ -16,13 +16,18 @@ public static class Rotations
         _ => Even(random),
     };
 
-    public static Quaternion Even(FuzzRandom random)
+    /// <summary>Spread evenly over all rotations: a direction in four dimensions.</summary>
+    public static Quaternion Even(FuzzRandom random) => Even(random, 0.01);
+
+    /// <param name="random">The source.</param>
+    /// <param name="least">A point of a smaller squared length is drawn again.</param>
+    public static Quaternion Even(FuzzRandom random, double least)
     {
         while (true)
         {
             double x = random.Range(-1, 1), y = random.Range(-1, 1), z = random.Range(-1, 1), w = random.Range(-1, 1);
             double square = x * x + y * y + z * z + w * w;
-            if (square is < 0.01 or > 1) continue;
+            if (square < least || square > 1) continue;
             double s = 1 / Math.Sqrt(square);
             return new Quaternion((float)(x * s), (float)(y * s), (float)(z * s), (float)(w * s));
         }

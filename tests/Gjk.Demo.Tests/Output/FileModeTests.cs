@@ -1,10 +1,9 @@
-using System.Diagnostics;
 using System.Runtime.Versioning;
 using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Output;
 
-/// <summary>Permissions and owners of the written files.</summary>
+/// <summary>Permissions of the written files.</summary>
 [UnsupportedOSPlatform("windows")]
 public sealed class FileModeTests
 {
@@ -29,6 +28,7 @@ public sealed class FileModeTests
             ["view", scene, "--out", target],
             ["view", scene, "--svg", target],
             ["trace", scene, "--pair", "0,1", "--out", target],
+            ["replay", scene, "--frames", "1", "--json", target],
         ];
         foreach (string[] call in calls)
         {
@@ -39,15 +39,17 @@ public sealed class FileModeTests
         }
     }
 
+    /// <summary>The new file belongs to the user who runs the command, so a program's right to act as its owner
+    /// ends.</summary>
     [UnixFact]
-    public void AReplacedReplayKeepsItsPermissions()
+    public void AReplacedFileLosesItsSpecialBits()
     {
+        const UnixFileMode mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute;
         using var directory = new TempDirectory();
-        string target = directory.Write("replay.json", "old");
-        File.SetUnixFileMode(target, UnixFileMode.UserRead | UnixFileMode.UserWrite);
-        DemoRun.Of("replay", "--frames", "1", "--json", target).AssertDone();
-        Assert.StartsWith("{\"scenes\":", File.ReadAllText(target));
-        Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, File.GetUnixFileMode(target));
+        string scene = directory.Write("scene.json", Scene), target = directory.Write("target", "old");
+        File.SetUnixFileMode(target, mode | UnixFileMode.SetUser | UnixFileMode.SetGroup);
+        DemoRun.Of("query", scene, "--out", target).AssertDone();
+        Assert.Equal(mode, File.GetUnixFileMode(target));
     }
 
     [UnixTheory]
@@ -104,23 +106,5 @@ public sealed class FileModeTests
         run.AssertRefused(target, "access is denied");
         Assert.Equal("old", File.ReadAllText(target));
         Assert.Equal(2, directory.Files.Length);
-    }
-
-    [RootFact]
-    public void AReplacedFileKeepsItsOwner()
-    {
-        using var directory = new TempDirectory();
-        string scene = directory.Write("scene.json", Scene), target = directory.Write("target", "old");
-        Shell("chown 12345:23456 \"$1\"; chmod 640 \"$1\"", target);
-        DemoRun.Of("query", scene, "--out", target).AssertDone();
-        Assert.NotEqual("old", File.ReadAllText(target));
-        Shell("test \"$(ls -n \"$1\" | cut -d ' ' -f 1,3,4)\" = '-rw-r----- 12345 23456'", target);
-    }
-
-    private static void Shell(string script, string file)
-    {
-        using var shell = Process.Start("sh", ["-c", script, "sh", file]);
-        shell.WaitForExit();
-        Assert.Equal(0, shell.ExitCode);
     }
 }

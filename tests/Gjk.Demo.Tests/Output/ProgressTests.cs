@@ -11,10 +11,10 @@ public sealed class ProgressTests
 
     /// <summary>The program script runs a command on a terminal, and prints what that shows.</summary>
     [LinuxTheory]
-    [InlineData("time s.json --seconds 0.2 > out", "the scene")]
+    [InlineData("time s.json --seconds 0.02 > out", "the scene")]
     [InlineData("view s.json --svg out", "the scene")]
     [InlineData("view s.json --svg out", "choice of pairs")]
-    [InlineData("replay --frames 2 > out", "cubes")]
+    [InlineData("replay s.json --frames 2 > out", "the scene")]
     [InlineData("query big.json > out", "big.json: hulls")]
     public void ATerminalShowsABar(string call, string title)
     {
@@ -33,7 +33,7 @@ public sealed class ProgressTests
     }
 
     [Theory]
-    [InlineData("time s.json --seconds 0.2")]
+    [InlineData("time s.json --seconds 0.02")]
     [InlineData("view s.json --svg out")]
     [InlineData("query big.json")]
     public void APipeShowsNone(string call)

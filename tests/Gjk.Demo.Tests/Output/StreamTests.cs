@@ -15,7 +15,7 @@ public sealed class StreamTests
 
     [Theory]
     [InlineData("query -")]
-    [InlineData("time - --seconds 0.1")]
+    [InlineData("time - --seconds 0.01")]
     [InlineData("view - --out TARGET")]
     [InlineData("trace - --pair 0,1 --out TARGET")]
     public void ADashIsStandardInput(string call)
@@ -54,10 +54,10 @@ public sealed class StreamTests
     [Theory]
     [InlineData("--help")]
     [InlineData("--version")]
-    [InlineData("replay --frames 1")]
-    [InlineData("replay --frames 1 --motion 0.1")]
+    [InlineData("replay SCENE --frames 1")]
+    [InlineData("replay --frames 1 --motion 0.1 --objects 2")]
     [InlineData("query SCENE")]
-    [InlineData("time SCENE --seconds 0.1")]
+    [InlineData("time SCENE --seconds 0.01")]
     [InlineData("fuzz --count 1 --seed 1")]
     public void AFullStandardOutputIsOneLine(string call)
     {

@@ -46,13 +46,13 @@ public sealed class TargetKindTests
     [UnixTheory]
     [InlineData("query", "a,b,status", "1 pair")]
     [InlineData("view", "<!DOCTYPE html>", "1 pair")]
-    [InlineData("replay", "{\"scenes\":", "2 scenes")]
+    [InlineData("replay", "{\"scenes\":", "1 scene")]
     public void APipeIsWrittenToAndStays(string command, string start, string what)
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("scene.json", Scene), pipe = directory.File("pipe");
         string call = command == "replay"
-            ? "demo replay --frames 1 --json \"$2\" > /dev/null"
+            ? "demo replay \"$1\" --frames 1 --json \"$2\" > /dev/null"
             : $"demo {command} \"$1\" --out \"$2\"";
         string script = $"mkfifo \"$2\" && ( cat \"$2\" & {call}; echo \"exit $?\" >&2; wait )";
         DemoRun run = DemoProcess.Shell(script, scene, pipe);
@@ -88,6 +88,16 @@ public sealed class TargetKindTests
         DemoProcess.Shell(script, scene, log).AssertDone();
         Assert.StartsWith("first\n" + CsvRow.Header + "\n0,1,", File.ReadAllText(log));
         Assert.Equal(2, directory.Files.Length);
+    }
+
+    /// <summary>A disk is a device with a position, as /dev/zero is.</summary>
+    [LinuxFact]
+    public void ADeviceThatIsNoStreamIsRefused()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("scene.json", Scene);
+        DemoRun.Of("query", scene, "--out", "/dev/zero").AssertRefused("/dev/zero", "neither a file nor a stream");
+        DemoRun.Of("query", scene, "--out", "/dev/null").AssertDone();
     }
 
     [UnixFact]

@@ -38,7 +38,7 @@ internal static class TextbookGjk
             }
 
             simplex.Add(w);
-            bool holdsOrigin = TextbookSimplex.Reduce(simplex);
+            bool holdsOrigin = TextbookSimplex<TextbookVertex>.Reduce(simplex, ref direction);
             step.After = Indices(simplex);
             if (holdsOrigin)
             {
@@ -46,8 +46,11 @@ internal static class TextbookGjk
                 break;
             }
 
-            step.Weights = TextbookClosestPoint.Weights(simplex);
-            step.Nearest = v = TextbookClosestPoint.Mix(simplex, step.Weights);
+            Vector3 weights = TextbookClosestPoint.Weights(simplex);
+            v = Vector3.Zero;
+            for (int i = 0; i < simplex.Count; i++) v += weights[i] * simplex[i].W;
+            step.Weights = [.. simplex.Select((_, i) => weights[i])];
+            step.Nearest = v;
             direction = -v;
             if (TryEnd(run, v, simplex, seen)) break;
         }

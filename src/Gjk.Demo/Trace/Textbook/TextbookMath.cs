@@ -1,4 +1,5 @@
-using System.Numerics;
+using Quaternion = System.Numerics.Quaternion;
+using Vector3 = System.Numerics.Vector3;
 
 namespace Gjk.Demo.Trace;
 
