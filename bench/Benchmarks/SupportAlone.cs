@@ -3,7 +3,6 @@ using BenchmarkDotNet.Configs;
 using Gjk.Bench.Baseline;
 using Gjk.Bench.Scenes;
 using Gjk.Core;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Bench.Benchmarks;
 
@@ -53,7 +52,7 @@ public class SupportAlone
     {
         int sum = 0;
         foreach (ref readonly Double3 direction in _wideDirections.AsSpan())
-            sum += PlainScan.Furthest(_hull.Cells, direction);
+            sum += Gjk.Core.Tests.Support.PlainScan.Furthest(_hull.Cells, direction);
         return sum;
     }
 

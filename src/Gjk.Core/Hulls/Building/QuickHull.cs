@@ -14,7 +14,7 @@ namespace Gjk.Core;
 /// Sampling in Computational Geometry, II", 1989). A face of the hull of the first r points has three corners, so the
 /// r-th point made it with a probability of at most 3 / r. That hull has fewer than 2 r faces, so a step makes fewer
 /// than six on average, and the mean point outside sees a bounded number of them. The sum over all steps is n log n
-/// times a constant; coplanar faces change the constant only. The clouds of the bench (--worst) need 1 to 5 tests per
+/// times a constant; coplanar faces change the constant only. The clouds of HullCostTests need 1 to 5 tests per
 /// point and log2 n.
 /// <see cref="ShuffledOrder"/> says why no cloud can be made for which its order is a bad one.
 /// </remarks>
