@@ -46,7 +46,8 @@ public static class ReportGjk
             if (Vector3.Dot(next.W, direction) - Vector3.Dot(closest, direction) < ProgressEpsilon)
                 return new ReportResult(false, closest.Length(), pointA, pointB, i + 1);
             simplex.Add(next);
-            if (TextbookSimplex<MinkowskiPoint>.Reduce(simplex, ref direction)) return new ReportResult(true, 0, pointA, pointB, i + 1);
+            if (TextbookSimplex<MinkowskiPoint>.Reduce(simplex, ref direction))
+                return new ReportResult(true, 0, pointA, pointB, i + 1);
             closest = ClosestPoint.Find(simplex, out pointA, out pointB);
         }
 

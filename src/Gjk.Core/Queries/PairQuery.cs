@@ -35,8 +35,16 @@ internal static class PairQuery
     {
         ref TA a = ref Inward(shapeA);
         ref TB b = ref Inward(shapeB);
-        if (!solver.TryFormula(ref a, poseA, ref b, poseB, out result))
-            PairQuery<TA, TB, TSolver, TResult>.Run(ref a, poseA, ref b, poseB, ref solver, ref result);
+        if (solver.TryFormula(ref a, poseA, ref b, poseB, out result)
+            || PairQuery<TA, TB, TSolver, TResult>.TryCores(ref a, poseA, ref b, poseB, ref solver, ref result))
+        {
+            return;
+        }
+
+        if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
+            PairQuery<TA, TB, TSolver, TResult>.SolveCopies(ref a, poseA, ref b, poseB, ref solver, out result);
+        else
+            PairQuery<TA, TB, TSolver, TResult>.Solve(ref a, ref a, poseA, ref b, ref b, poseB, ref solver, out result);
     }
 
     /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a
@@ -63,12 +71,12 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
     where TB : struct, ISupportMap
     where TSolver : struct, IPairSolver<TResult>
 {
+    /// <summary>Solves a pair of two cores, if both have one.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Run(
+    public static bool TryCores(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, ref TResult result)
-    {
 #if NET
-        bool haveCores = CoreOf.Kind<TA, TB>(ref a) switch
+        => CoreOf.Kind<TA, TB>(ref a) switch
         {
             FormKind.Box => TryCores<BoxCore>(ref a, poseA, ref b, poseB, ref solver, ref result),
             FormKind.Hull => TryCores<HullCore>(ref a, poseA, ref b, poseB, ref solver, ref result),
@@ -76,14 +84,7 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
             FormKind.Triangle => TryCores<TriangleCore>(ref a, poseA, ref b, poseB, ref solver, ref result),
             _ => false,
         };
-        if (haveCores) return;
-#endif
-        if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
-            SolveCopies(ref a, poseA, ref b, poseB, ref solver, out result);
-        else Solve(ref a, ref a, poseA, ref b, ref b, poseB, ref solver, out result);
-    }
 
-#if NET
     /// <summary>Solves a pair whose first core is known, if there is a second.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool TryCores<TCoreA>(
@@ -108,11 +109,13 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
         return true;
     }
+#else
+        => false;
 #endif
 
     /// <summary>Solves shapes without their placements.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SolveCopies(
+    public static void SolveCopies(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
     {
         TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
@@ -122,7 +125,7 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
 
     /// <summary>Composes, refuses, solves and finishes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static unsafe void Solve<TCoreA, TCoreB>(
+    public static unsafe void Solve<TCoreA, TCoreB>(
         ref TA a, ref TCoreA coreA, in RigidPose poseA, ref TB b, ref TCoreB coreB, in RigidPose poseB,
         ref TSolver solver, out TResult result)
         where TCoreA : struct, ISupportMap

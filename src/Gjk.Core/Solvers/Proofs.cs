@@ -79,7 +79,8 @@ internal static class Proofs
     /// choose an edge of a needle that has another corner between it and the origin; then the bounds meet, but the
     /// points would be that edge's end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool HoldsItsPoint(in SolverState state) => state.Weights.AreAll(state.Simplex.Count) || IsNear(state);
+    public static bool HoldsItsPoint(in SolverState state) =>
+        state.Weights.AreAll(state.Simplex.Count) || IsNear(state);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static bool IsNear(in SolverState state)

@@ -66,8 +66,8 @@ internal sealed class AtomicFile : IDisposable
         _onCancel = cancel.Register(OnCancel);
     }
 
-    /// <summary>Refuses a target that could not be written now, and changes nothing. An empty target may be a pipe. It is
-    /// not opened, because a pipe's reader would see an end of file.</summary>
+    /// <summary>Refuses a target that could not be written now, and changes nothing. An empty target may be a pipe. It
+    /// is not opened, because a pipe's reader would see an end of file.</summary>
     /// <exception cref="RefusedException">The target cannot be written.</exception>
     public static void Check(string name)
     {
@@ -156,9 +156,9 @@ internal sealed class AtomicFile : IDisposable
         return stream;
     }
 
-    /// <summary>Opens the target for writing, which needs the permission that a rename does not need, and returns it if it
-    /// is a pipe or a device. This happens on another thread, because opening a pipe waits for its reader and no signal
-    /// ends that wait. The stream has no buffer. Closing it therefore writes nothing and cannot wait either.</summary>
+    /// <summary>Opens the target for writing, which needs the permission that a rename does not need, and returns it if
+    /// it is a pipe or a device. This happens on another thread, because opening a pipe waits for its reader and no
+    /// signal ends that wait. The stream has no buffer. Closing it therefore writes nothing and cannot wait either.</summary>
     /// <returns>Null if it is a file with contents of its own.</returns>
     private static FileStream? OpenIfStream(OutputTarget target, CancellationToken cancel)
     {

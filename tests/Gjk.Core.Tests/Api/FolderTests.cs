@@ -87,7 +87,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Queries/Rays"] = 576,
         ["Shapes"] = 938,
         ["Simplex"] = 952,
-        ["Solvers"] = 611,
+        ["Solvers"] = 628,
         ["Solvers/Depth"] = 1392,
         ["Solvers/Motion"] = 960,
         ["Solvers/Trace"] = 131,

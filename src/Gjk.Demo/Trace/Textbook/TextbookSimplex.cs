@@ -9,8 +9,8 @@ internal interface ITextbookVertex
 }
 
 /// <summary>Muratori's cases (2006), in float. The newest vertex, A, is the last of the list, and the origin is taken
-/// to lie nowhere behind the older ones. Each case leaves the part of the simplex that faces the origin, and a direction
-/// from that part to the origin. The bench's baseline runs this, too.</summary>
+/// to lie nowhere behind the older ones. Each case leaves the part of the simplex that faces the origin, and a
+/// direction from that part to the origin. The bench's baseline runs this, too.</summary>
 internal static class TextbookSimplex<T>
     where T : struct, ITextbookVertex
 {
