@@ -22,14 +22,17 @@ internal ref struct FaceSearch
     private readonly float _maxGap;
     private readonly ContactPlane _plane;
     private Candidate _best, _standIn;
+    private readonly bool _isCovered;
     private bool _isGhost, _isLed;
 
     public FaceSearch(
-        ConcaveScratch scratch, in PartDistance pair, in DistanceResult own, in ContactPlane plane, float maxGap)
+        ConcaveScratch scratch, in PartDistance pair, in DistanceResult own, in ContactPlane plane, float maxGap,
+        bool isCovered)
     {
         (_scratch, _pair, _own, _plane, _maxGap) = (scratch, pair, own, plane, Math.Max(maxGap, 0));
         _best = _standIn = default;
-        _isGhost = _isLed = false;
+        _isLed = _isGhost = false;
+        _isCovered = isCovered;
     }
 
     /// <summary>Tries the faces of both sides' triangles; where the own way only leans and one side is convex, the one
@@ -43,7 +46,7 @@ internal ref struct FaceSearch
         in Double3 normal, ContactFit fitA, ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
     {
         bool isMeshA = _scratch.A.Mesh is not null, isMeshB = _scratch.B.Mesh is not null;
-        _isGhost = fitA == ContactFit.Ghost || fitB == ContactFit.Ghost;
+        _isGhost = _isCovered || fitA == ContactFit.Ghost || fitB == ContactFit.Ghost;
         bool isOne = !_isGhost && !(isMeshA && isMeshB);
         if (isMeshA && (!isOne || fitA >= fitB)) Try(true, normal, fitA, shapeA, shapeB);
         if (isMeshB && (!isOne || fitB > fitA)) Try(false, -normal, fitB, shapeA, shapeB);
@@ -56,8 +59,11 @@ internal ref struct FaceSearch
     {
         if (_best.IsThere)
         {
-            if (!_isGhost) contacts.Add(_best.Contact);
-            else _scratch.FaceContacts.Add(new FaceContact(_best.Contact, _pair, _best.IsOfA, _own));
+            float depth = _best.Contact.Result.Distance;
+            bool isMuchDeeper = depth < 0 && _own.Distance > depth * ContactPush.MuchLess;
+            bool isOrphan = _isCovered && _own.Distance < 0;
+            if (!_isGhost && !isMuchDeeper) contacts.Add(_best.Contact);
+            else (isOrphan ? _scratch.Orphans : _scratch.FaceContacts).Add(new(_best.Contact, _pair, _best.IsOfA, _own));
         }
         else if (_standIn.IsThere)
         {
@@ -83,7 +89,8 @@ internal ref struct FaceSearch
         var tip = new TipContact(mesh, triangle, other, shape, face);
         if (tip.Gap > _maxGap) return;
         Double3 world = new RotationD(mesh.Pose.Rotation).Rotate(face);
-        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays;
+        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays
+            && !CompoundJoints.Covers(_scratch, other, part, tip.Local, -world);
         bool isLed = TryClimb(other, part, -world, out int corner);
         TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
         isLed &= led.Gap <= 0;
@@ -91,7 +98,7 @@ internal ref struct FaceSearch
         if (isShown || !(isLed && other.IsSolid))
         {
             along = Along(isOfA ? world : -world, shapeA, shapeB);
-            isShown &= other.Mesh is null || along.Count == 0 || IsAsDeep(along, tip.Gap);
+            isShown &= (other.Mesh is null && !_isCovered) || along.Count == 0 || IsAsDeep(along, tip.Gap);
             if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
         }
 

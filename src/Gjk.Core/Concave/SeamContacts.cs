@@ -25,19 +25,37 @@ internal static class SeamContacts
             ? plane.Frame.RotationA.Rotate(plane.Normal)
             : (Double3)result.Normal;
         ContactFit fitA = Judge(a, pair.PartA, normal), fitB = Judge(b, pair.PartB, -normal);
+        bool isCovered = CompoundJoints.Covers(scratch, a, pair.PartA, result.LocalPointA, normal)
+            || CompoundJoints.Covers(scratch, b, pair.PartB, result.LocalPointB, -normal);
         if (!a.IsConvex || !b.IsConvex) DeepestPoint.Lead(ref manifold);
         var own = new PartContacts(pair.PartA, pair.PartB, result, manifold);
-        if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
+        bool isConvexA = a.Mesh is null, isOne = isConvexA != b.Mesh is null;
+        bool isStaying = fitA == ContactFit.Stays && fitB == ContactFit.Stays;
+        if (isStaying && !isCovered)
         {
-            bool isCovered = CompoundJoints.Covers(scratch, true, pair, result, normal)
-                || CompoundJoints.Covers(scratch, false, pair, result, -normal);
-            if (!isCovered) contacts.Add(own);
-            else if (result.Distance < 0) scratch.Orphans.Add(new FaceContact(own));
+            contacts.Add(own);
             return;
         }
 
-        if (result.Distance < 0 && TryTip(scratch, pair, result, normal, fitA, fitB, shapeA, shapeB)) return;
-        var search = new FaceSearch(scratch, pair, result, plane, maxGap);
+        if (isOne)
+        {
+            ref readonly ConvexShape convex = ref isConvexA ? ref shapeA : ref shapeB;
+            Double3 way = normal;
+            ContactFit fit = isCovered ? ContactFit.Ghost : isConvexA ? fitB : fitA;
+            if ((!isCovered || CompoundJoints.TryOver(scratch, own, shapeA, shapeB, ref way))
+                && TryConvex(scratch, own, pair, way, fit, convex, contacts))
+            {
+                return;
+            }
+        }
+
+        if (isStaying)
+        {
+            if (result.Distance < 0) scratch.Orphans.Add(new FaceContact(own));
+            return;
+        }
+
+        var search = new FaceSearch(scratch, pair, result, plane, maxGap, isCovered);
         search.Run(normal, fitA, fitB, shapeA, shapeB);
         search.Add(own, contacts);
     }
@@ -67,35 +85,47 @@ internal static class SeamContacts
         return ways == 0;
     }
 
-    /// <summary>A convex part that shows its own way out, to a solid that goes on further into it: the solid's tip
-    /// there, if the part holds it.</summary>
-    private static bool TryTip(
-        ConcaveScratch scratch, in PartDistance pair, in DistanceResult result, in Double3 normal, ContactFit fitA,
-        ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
+    /// <summary>A pair of a convex part and a triangle whose surface goes on: the convex part's face is the one to be
+    /// pushed along, where the corner to which the surface climbs is over it. The pair has its own contact where its
+    /// triangle leans, and else the corner's, if it overlaps.</summary>
+    private static bool TryConvex(
+        ConcaveScratch scratch, in PartContacts own, in PartDistance pair, in Double3 normal, ContactFit fit,
+        in ConvexShape shape, List<PartContacts> contacts)
     {
-        bool isConvexA = scratch.A.Mesh is null;
-        PartSide convex = isConvexA ? scratch.A : scratch.B, solid = isConvexA ? scratch.B : scratch.A;
-        if (convex.Mesh is not null || !solid.IsSolid || (isConvexA ? fitA : fitB) != ContactFit.Stays) return false;
+        bool isConvexA = scratch.A.Mesh is null, isOverlapping = own.Result.Distance < 0;
+        PartSide convex = isConvexA ? scratch.A : scratch.B, mesh = isConvexA ? scratch.B : scratch.A;
         Double3 outward = isConvexA ? normal : -normal;
-        RotationD toSolid = new(solid.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
+        RotationD toMesh = new(mesh.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
         int triangle = isConvexA ? pair.PartB : pair.PartA;
-        if (!MeshClimb.TryFind(solid.Mesh!, triangle, toSolid.InverseRotate(-outward), out int corner)) return false;
-        Double3 local = solid.Mesh!.GetCorner(corner), tip = toSolid.Rotate(local) + solid.Pose.Position;
-        ref readonly ConvexShape shape = ref isConvexA ? ref shapeA : ref shapeB;
-        if (!ConvexQuery.Contains(shape, convex.Pose, (Vector3)tip)) return false;
-        shape.Support(toConvex.InverseRotate(outward), out Double3 most);
-        Double3 top = toConvex.Rotate(shape.Center + most) + convex.Pose.Position + outward * shape.Margin;
-        double gap = Double3.Dot(outward, tip - top);
-        if (!(gap <= 0)) return false;
-        Double3 foot = tip - outward * gap;
-        var localFoot = (Vector3)toConvex.InverseRotate(foot - convex.Pose.Position);
-        var point = new ManifoldPoint((Vector3)foot, (Vector3)tip, localFoot, (Vector3)local, (float)gap, 0);
-        ContactManifold manifold = default;
-        manifold.Begin((Vector3)normal);
-        manifold.Add(isConvexA ? point : point.Swapped);
-        int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
-        var contact = new PartContacts(partA, partB, DeepestPoint.Result(manifold, result), manifold);
-        scratch.FaceContacts.Add(new FaceContact(contact, pair, isConvexA, result));
+        if (!MeshClimb.TryFind(mesh.Mesh!, triangle, toMesh.InverseRotate(-outward), out int corner)) return false;
+        Double3 local = mesh.Mesh!.GetCorner(corner), tip = toMesh.Rotate(local) + mesh.Pose.Position;
+        Double3 direction = toConvex.InverseRotate(outward);
+        shape.Support(direction, out Double3 most);
+        Double3 inConvex = toConvex.InverseRotate(tip - convex.Pose.Position);
+        double gap = Double3.Dot(direction, inConvex - shape.Center - most) - shape.Margin;
+        Double3 foot = inConvex - direction * gap;
+        if (gap <= 0 && !CompoundJoints.IsOn(scratch, convex, shape, inConvex)) return false;
+        bool isDeep = isOverlapping && mesh.IsSolid && convex.IsConvex;
+        if (!isDeep && !CompoundJoints.IsOn(scratch, convex, shape, foot)) return false;
+        if (!isOverlapping)
+        {
+            if (fit == ContactFit.Leans) contacts.Add(own);
+            return true;
+        }
+
+        PartContacts contact = own;
+        if (fit == ContactFit.Ghost)
+        {
+            var point = new ManifoldPoint(
+                (Vector3)(tip - outward * gap), (Vector3)tip, (Vector3)foot, (Vector3)local, (float)gap, 0);
+            ContactManifold manifold = default;
+            manifold.Begin((Vector3)normal);
+            manifold.Add(isConvexA ? point : point.Swapped);
+            int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
+            contact = new PartContacts(partA, partB, DeepestPoint.Result(manifold, own.Result), manifold);
+        }
+
+        scratch.FaceContacts.Add(new FaceContact(contact, pair, isConvexA, own.Result));
         return true;
     }
 }

@@ -49,6 +49,10 @@ internal readonly ref struct TipContact
     /// <summary>Whether the tip is over the triangle, or under it.</summary>
     public bool IsOver => _column.Holds(_tip);
 
+    /// <summary>The tip in the other side's frame.</summary>
+    public Double3 Local => new RotationD(_other.Pose.Rotation).InverseRotate(
+        new RotationD(_mesh.Pose.Rotation).Rotate(_tip) - Offset);
+
     /// <summary>A manifold of the tip.</summary>
     /// <param name="isMeshA">Whether the mesh is the first side.</param>
     public ContactManifold Manifold(bool isMeshA)
@@ -57,10 +61,9 @@ internal readonly ref struct TipContact
         Double3 foot = _tip - _face * Gap, normal = toWorld.Rotate(_face), placed = toWorld.Rotate(_tip);
         var onMesh = (Vector3)(toWorld.Rotate(foot) + _mesh.Pose.Position);
         var onOther = (Vector3)(placed + _mesh.Pose.Position);
-        var local = (Vector3)new RotationD(_other.Pose.Rotation).InverseRotate(placed - Offset);
         uint corner = _corner >= 0 ? ContactFeature.Corner(_corner) : ContactFeature.None;
         var point = new ManifoldPoint(
-            onMesh, onOther, (Vector3)foot, local, (float)Gap, ContactFeature.Of(ContactFeature.None, corner));
+            onMesh, onOther, (Vector3)foot, (Vector3)Local, (float)Gap, ContactFeature.Of(ContactFeature.None, corner));
         ContactManifold manifold = default;
         manifold.Begin((Vector3)(isMeshA ? normal : -normal));
         manifold.Add(isMeshA ? point : point.Swapped);
