@@ -31,15 +31,16 @@ internal static class CompoundJoints
 
     /// <summary>The way out of a part of a compound where other parts cover the shortest: that of the other shape when
     /// it is moved off the joints, to the part's middle.</summary>
-    /// <param name="scratch">With both sides, one of them the compound.</param>
+    /// <param name="scratch">With both sides.</param>
+    /// <param name="isA">Whether the compound is A.</param>
     /// <param name="own">The contact that is covered.</param>
     /// <param name="shapeA">The part of A.</param>
     /// <param name="shapeB">The part of B.</param>
     /// <param name="way">From A to B in the world: the covered way, and then the other one.</param>
     public static bool TryOver(
-        ConcaveScratch scratch, in PartContacts own, in ConvexShape shapeA, in ConvexShape shapeB, ref Double3 way)
+        ConcaveScratch scratch, bool isA, in PartContacts own, in ConvexShape shapeA, in ConvexShape shapeB,
+        ref Double3 way)
     {
-        bool isA = scratch.A.Compound is not null;
         PartSide side = isA ? scratch.A : scratch.B;
         ref readonly ConvexShape part = ref isA ? ref shapeA : ref shapeB;
         RigidPose moved = scratch.B.Pose;

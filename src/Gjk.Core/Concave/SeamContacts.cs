@@ -25,11 +25,11 @@ internal static class SeamContacts
             ? plane.Frame.RotationA.Rotate(plane.Normal)
             : (Double3)result.Normal;
         ContactFit fitA = Judge(a, pair.PartA, normal), fitB = Judge(b, pair.PartB, -normal);
-        bool isCovered = CompoundJoints.Covers(scratch, a, pair.PartA, result.LocalPointA, normal)
-            || CompoundJoints.Covers(scratch, b, pair.PartB, result.LocalPointB, -normal);
+        bool isCoveredA = CompoundJoints.Covers(scratch, a, pair.PartA, result.LocalPointA, normal);
+        bool isCoveredB = CompoundJoints.Covers(scratch, b, pair.PartB, result.LocalPointB, -normal);
+        bool isCovered = isCoveredA || isCoveredB;
         if (!a.IsConvex || !b.IsConvex) DeepestPoint.Lead(ref manifold);
         var own = new PartContacts(pair.PartA, pair.PartB, result, manifold);
-        bool isConvexA = a.Mesh is null, isOne = isConvexA != b.Mesh is null;
         bool isStaying = fitA == ContactFit.Stays && fitB == ContactFit.Stays;
         if (isStaying && !isCovered)
         {
@@ -37,13 +37,14 @@ internal static class SeamContacts
             return;
         }
 
-        if (isOne)
+        for (int side = 0; side < 2; side++)
         {
-            ref readonly ConvexShape convex = ref isConvexA ? ref shapeA : ref shapeB;
+            bool isConvexA = side == 0;
+            if ((isConvexA ? a : b).Mesh is not null || (isCovered && !(isConvexA ? isCoveredA : isCoveredB))) continue;
             Double3 way = normal;
             ContactFit fit = isCovered ? ContactFit.Ghost : isConvexA ? fitB : fitA;
-            if ((!isCovered || CompoundJoints.TryOver(scratch, own, shapeA, shapeB, ref way))
-                && TryConvex(scratch, own, pair, way, fit, convex, contacts))
+            if ((!isCovered || CompoundJoints.TryOver(scratch, isConvexA, own, shapeA, shapeB, ref way))
+                && TryConvex(scratch, isConvexA, own, pair, way, fit, shapeA, shapeB, contacts))
             {
                 return;
             }
@@ -85,27 +86,41 @@ internal static class SeamContacts
         return ways == 0;
     }
 
-    /// <summary>A pair of a convex part and a triangle whose surface goes on: the convex part's face is the one to be
-    /// pushed along, where the corner to which the surface climbs is over it. The pair has its own contact where its
-    /// triangle leans, and else the corner's, if it overlaps.</summary>
+    /// <summary>A pair of a convex part and another one whose body goes on: the convex part's face is the one to be
+    /// pushed along, where the other body's tip is over it, to which a mesh climbs. The pair has its own contact where
+    /// its triangle leans, and else the tip's, if it overlaps.</summary>
     private static bool TryConvex(
-        ConcaveScratch scratch, in PartContacts own, in PartDistance pair, in Double3 normal, ContactFit fit,
-        in ConvexShape shape, List<PartContacts> contacts)
+        ConcaveScratch scratch, bool isConvexA, in PartContacts own, in PartDistance pair, in Double3 normal,
+        ContactFit fit, in ConvexShape shapeA, in ConvexShape shapeB, List<PartContacts> contacts)
     {
-        bool isConvexA = scratch.A.Mesh is null, isOverlapping = own.Result.Distance < 0;
-        PartSide convex = isConvexA ? scratch.A : scratch.B, mesh = isConvexA ? scratch.B : scratch.A;
+        bool isOverlapping = own.Result.Distance < 0;
+        PartSide convex = isConvexA ? scratch.A : scratch.B, other = isConvexA ? scratch.B : scratch.A;
+        ref readonly ConvexShape shape = ref isConvexA ? ref shapeA : ref shapeB;
+        ref readonly ConvexShape tipped = ref isConvexA ? ref shapeB : ref shapeA;
         Double3 outward = isConvexA ? normal : -normal;
-        RotationD toMesh = new(mesh.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
-        int triangle = isConvexA ? pair.PartB : pair.PartA;
-        if (!MeshClimb.TryFind(mesh.Mesh!, triangle, toMesh.InverseRotate(-outward), out int corner)) return false;
-        Double3 local = mesh.Mesh!.GetCorner(corner), tip = toMesh.Rotate(local) + mesh.Pose.Position;
+        RotationD toOther = new(other.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
+        Double3 against = toOther.InverseRotate(-outward), local;
+        int part = isConvexA ? pair.PartB : pair.PartA;
+        if (other.Mesh is not null)
+        {
+            if (!MeshClimb.TryFind(other.Mesh, part, against, out int corner)) return false;
+            (local, part) = (other.Mesh.GetCorner(corner), corner / 3);
+        }
+        else
+        {
+            tipped.Support(against, out Double3 point);
+            local = tipped.Center + point + against * tipped.Margin;
+            if (CompoundJoints.Covers(scratch, other, part, local, -outward)) return false;
+        }
+
+        Double3 tip = toOther.Rotate(local) + other.Pose.Position;
         Double3 direction = toConvex.InverseRotate(outward);
         shape.Support(direction, out Double3 most);
         Double3 inConvex = toConvex.InverseRotate(tip - convex.Pose.Position);
         double gap = Double3.Dot(direction, inConvex - shape.Center - most) - shape.Margin;
         Double3 foot = inConvex - direction * gap;
         if (gap <= 0 && !CompoundJoints.IsOn(scratch, convex, shape, inConvex)) return false;
-        bool isDeep = isOverlapping && mesh.IsSolid && convex.IsConvex;
+        bool isDeep = isOverlapping && other.IsSolid && convex.IsConvex;
         if (!isDeep && !CompoundJoints.IsOn(scratch, convex, shape, foot)) return false;
         if (!isOverlapping)
         {
@@ -121,7 +136,7 @@ internal static class SeamContacts
             ContactManifold manifold = default;
             manifold.Begin((Vector3)normal);
             manifold.Add(isConvexA ? point : point.Swapped);
-            int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
+            int partA = isConvexA ? pair.PartA : part, partB = isConvexA ? part : pair.PartB;
             contact = new PartContacts(partA, partB, DeepestPoint.Result(manifold, own.Result), manifold);
         }
 
