@@ -62,8 +62,9 @@ internal ref struct FaceSearch
             float depth = _best.Contact.Result.Distance;
             bool isMuchDeeper = depth < 0 && _own.Distance > depth * ContactPush.MuchLess;
             bool isOrphan = _isCovered && _own.Distance < 0;
+            var face = new FaceContact(_best.Contact, _pair, _best.IsOfA, _own);
             if (!_isGhost && !isMuchDeeper) contacts.Add(_best.Contact);
-            else (isOrphan ? _scratch.Orphans : _scratch.FaceContacts).Add(new(_best.Contact, _pair, _best.IsOfA, _own));
+            else (isOrphan ? _scratch.Orphans : _scratch.FaceContacts).Add(face);
         }
         else if (_standIn.IsThere)
         {

@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 117,
         ["Batch"] = 166,
         ["BroadPhase"] = 866,
-        ["Concave"] = 2253,
+        ["Concave"] = 2326,
         ["Concave/Trees"] = 632,
         ["Contacts"] = 975,
         ["Cores"] = 551,
