@@ -127,7 +127,7 @@ internal static class CoveredSides
         Double3 outward = isA ? contact.Normal : -contact.Normal, first = FootOf(contact[0], isA, pose);
         foreach (OpenPlane plane in planes)
         {
-            if (Double3.Dot(plane.Normal, outward) >= ContactCone.LeastCosine) continue;
+            if (!IsAcross(plane, outward)) continue;
             bool isBehind = IsBehind(plane, first, outward, own, pose, cover);
             for (int i = 1; i < contact.Count && isBehind; i++)
                 isBehind = IsBehind(plane, FootOf(contact[i], isA, pose), outward, own, pose, cover);
@@ -144,7 +144,7 @@ internal static class CoveredSides
     {
         foreach (OpenPlane plane in planes)
         {
-            if (Double3.Dot(plane.Normal, outward) >= ContactCone.LeastCosine) continue;
+            if (!IsAcross(plane, outward)) continue;
             Double3 to = plane.Foot - witness;
             if (Math.Abs(Double3.Dot(plane.Normal, to)) <= RoomOf(witness, to, pose)
                 && ReachesBeyond(plane, witness, outward, own, pose))
@@ -176,7 +176,7 @@ internal static class CoveredSides
         ConvexQuery.ContactsAlong(a, poseA, b, isA ? way : -way, maxGap, ref plane, out manifold);
         ManifoldPoint tip = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
         if (!(tip.Gap < 0)) return false;
-        if (manifold.Count == 0 && IsOver(isA ? a : b, tip))
+        if (manifold.Count == 0 && IsOn(isA ? a : b, tip.LocalPointA))
         {
             manifold.Begin((Vector3)(isA ? way : -way));
             manifold.Add(isA ? tip : tip.Swapped);
@@ -199,7 +199,7 @@ internal static class CoveredSides
     }
 
     /// <summary>The tip of a body against a direction, and what is opposite it.</summary>
-    private static ManifoldPoint Tip(
+    public static ManifoldPoint Tip(
         in ConvexShape own, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in Double3 way)
     {
         RotationD turn = new(otherPose.Rotation);
@@ -209,9 +209,9 @@ internal static class CoveredSides
         return Under(own, pose, way, InWorld(local, otherPose), (Vector3)local);
     }
 
-    private static bool IsOver(in ConvexShape own, in ManifoldPoint tip) =>
-        ConvexQuery.Distance(own, RigidPose.Identity, tip.LocalPointA).Distance
-            <= Room * ((Double3)tip.LocalPointA).SumOfMagnitudes;
+    /// <summary>Whether a point of a shape's frame is in it or as good as on it.</summary>
+    public static bool IsOn(in ConvexShape shape, in Double3 point) =>
+        ConvexQuery.Distance(shape, RigidPose.Identity, (Vector3)point).Distance <= Room * point.SumOfMagnitudes;
 
     /// <summary>A point of another body, and what is opposite it on the plane of a part's furthest point.</summary>
     public static ManifoldPoint Under(
@@ -226,6 +226,27 @@ internal static class CoveredSides
         return new ManifoldPoint((Vector3)foot, (Vector3)tip, local, localTip, (float)gap, 0);
     }
 
+    /// <summary>Whether a part of a shape, but not the given one, holds a point of its frame and reaches beyond
+    /// it.</summary>
+    public static bool GoesOn(
+        ConcaveScratch scratch, in AnyShape shape, int but, in Double3 point, in Double3 direction)
+    {
+        ConcaveScratch near = scratch.Rent();
+        ConcaveQuery.FindPairsWithin(
+            shape, RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
+            (float)(2 * Room * (1 + point.Length)), near, near.Pairs);
+        bool goesOn = false;
+        ConvexShape room = default;
+        for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
+        {
+            int part = near.Pairs[i].PartA;
+            goesOn = part != but && GoesOn(near.A.Part(part, ref room), point, direction);
+        }
+
+        scratch.Return(near);
+        return goesOn;
+    }
+
     /// <summary>Whether a shape holds a point of its frame and reaches beyond it.</summary>
     public static bool GoesOn(in ConvexShape shape, in Double3 point, in Double3 direction)
     {
@@ -236,6 +257,9 @@ internal static class CoveredSides
         float near = ConvexQuery.Distance(shape, RigidPose.Identity, (Vector3)point, (float)length).Distance;
         return near <= Room * (length + point.Length);
     }
+
+    private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
+        Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
     private static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
         Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes);

@@ -56,7 +56,9 @@ internal ref struct FaceSearch
     {
         if (_best.IsThere)
         {
-            if (!_isGhost) contacts.Add(_best.Contact);
+            float depth = _best.Contact.Result.Distance;
+            bool isMuchDeeper = depth < 0 && _own.Distance > depth * ContactPush.MuchLess;
+            if (!_isGhost && !isMuchDeeper) contacts.Add(_best.Contact);
             else _scratch.FaceContacts.Add(new FaceContact(_best.Contact, _pair, _best.IsOfA, _own));
         }
         else if (_standIn.IsThere)
@@ -83,7 +85,8 @@ internal ref struct FaceSearch
         var tip = new TipContact(mesh, triangle, other, shape, face);
         if (tip.Gap > _maxGap) return;
         Double3 world = new RotationD(mesh.Pose.Rotation).Rotate(face);
-        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays;
+        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays
+            && !SeamContacts.GoesOn(_scratch, other, part, tip.Placed, -world);
         bool isLed = TryClimb(other, part, -world, out int corner);
         TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
         isLed &= led.Gap <= 0;
@@ -91,7 +94,7 @@ internal ref struct FaceSearch
         if (isShown || !(isLed && other.IsSolid))
         {
             along = Along(isOfA ? world : -world, shapeA, shapeB);
-            isShown &= other.Mesh is null || along.Count == 0 || IsAsDeep(along, tip.Gap);
+            isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
             if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
         }
 

@@ -33,7 +33,12 @@ internal static class SeamContacts
             return;
         }
 
-        if (result.Distance < 0 && TryTip(scratch, pair, result, normal, fitA, fitB, shapeA, shapeB)) return;
+        if (TryConvex(scratch, true, own, pair, normal, fitB, shapeA, contacts)
+            || TryConvex(scratch, false, own, pair, normal, fitA, shapeB, contacts))
+        {
+            return;
+        }
+
         var search = new FaceSearch(scratch, pair, result, plane, maxGap);
         search.Run(normal, fitA, fitB, shapeA, shapeB);
         search.Add(own, contacts);
@@ -57,14 +62,15 @@ internal static class SeamContacts
         areAtJoints.Clear();
         foreach (PartContacts one in contacts)
         {
-            bool isAtJoint = side.Compound is not null && new PartsCover(scratch, isA, one).GoesOnAtWitness(one);
+            bool isNear = !(-one.Result.Distance > maxGap), isAtJoint = IsAtJoint(scratch, isA, one, isNear);
             areAtJoints.Add(isAtJoint);
-            if (!isAtJoint) CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
+            if (!isAtJoint && !IsAtJoint(scratch, !isA, one, isNear))
+                CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
         }
 
         RemoveCoveredFaces(scratch, side, isA);
         foreach (FaceContact one in scratch.FaceContacts)
-            CoveredSides.AddPlane(planes, one.Contact.Manifold, isA, side.Pose);
+            if (one.IsOfA == isA) CoveredSides.AddPlane(planes, one.Contact.Manifold, isA, side.Pose);
         int kept = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
@@ -83,11 +89,27 @@ internal static class SeamContacts
         for (int i = 0; i < faces.Count; i++)
         {
             FaceContact face = faces[i];
-            if (!IsCovered(scratch, side, isA, face.Contact, false)) faces[kept++] = face;
+            bool isAtJoint = IsAtJoint(scratch, isA, face.Contact);
+            if (!IsCovered(scratch, side, isA, face.Contact, isAtJoint)) faces[kept++] = face;
             else if (face.Own < 0) scratch.Orphans.Add(face);
         }
 
         faces.RemoveRange(kept, faces.Count - kept);
+    }
+
+    /// <summary>Whether another part of its body goes on where a contact is.</summary>
+    /// <param name="scratch">With both sides.</param>
+    /// <param name="isA">Whether the body is A.</param>
+    /// <param name="one">The contact.</param>
+    /// <param name="isNear">Whether it is no deeper than the pairs are near: what covers it is among them.</param>
+    private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PartContacts one, bool isNear = false)
+    {
+        PartSide side = isA ? scratch.A : scratch.B;
+        if (side.Compound is null) return false;
+        var cover = new PartsCover(scratch, isA, one);
+        return isNear
+            ? cover.GoesOnAtWitness(one)
+            : GoesOn(scratch, side, isA ? one.PartA : one.PartB, cover.Witness(one), cover.Outward(one));
     }
 
     private static bool IsCovered(
@@ -116,8 +138,11 @@ internal static class SeamContacts
             ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), -one.Result.Distance, cover)
             : default;
         PartContacts held = one;
-        if (Judge(otherSide, other, -way) == ContactFit.Stays && CoveredSides.TryAlong(
-            ref held, isA, partA, scratch.A.Pose, partB, scratch.B.Pose, maxGap, way))
+        bool isThere = way.LengthSquared > 0 && Judge(otherSide, other, -way) == ContactFit.Stays
+            && IsTipShown(scratch, isA, one, isA ? partA : partB, isA ? partB : partA, way)
+            && CoveredSides.TryAlong(ref held, isA, partA, scratch.A.Pose, partB, scratch.B.Pose, maxGap, way)
+            && !IsAtJoint(scratch, isA, held);
+        if (isThere)
         {
             var pair = new PartDistance(one.Result, one.PartA, one.PartB);
             scratch.FaceContacts.Add(new FaceContact(held, pair, isA, one.Result));
@@ -126,6 +151,28 @@ internal static class SeamContacts
         {
             scratch.Orphans.Add(new FaceContact(one));
         }
+    }
+
+    /// <summary>Whether a part's tip is over the other body, and its own body ends there.</summary>
+    private static bool IsTipShown(
+        ConcaveScratch scratch, bool isA, in PartContacts one, in ConvexShape part, in ConvexShape other,
+        in Double3 way)
+    {
+        PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
+        ManifoldPoint tip = CoveredSides.Tip(part, side.Pose, other, otherSide.Pose, way);
+        return IsOn(scratch, isA, part, tip.LocalPointA)
+            && !GoesOn(scratch, otherSide, isA ? one.PartB : one.PartA, tip.PointB, -way);
+    }
+
+    /// <summary>Whether another part of a compound holds a point of one in the world and reaches beyond it.</summary>
+    public static bool GoesOn(
+        ConcaveScratch scratch, PartSide side, int part, in Double3 point, in Double3 direction)
+    {
+        if (side.Compound is null) return false;
+        RotationD turn = new(side.Pose.Rotation);
+        Double3 local = turn.InverseRotate(point - side.Pose.Position);
+        return CoveredSides.GoesOn(
+            scratch, AnyShape.Of(side.Compound), part, local, turn.InverseRotate(direction));
     }
 
     /// <summary>Whether a body ends at a part along a direction in the world.</summary>
@@ -153,30 +200,55 @@ internal static class SeamContacts
         return ways == 0;
     }
 
-    /// <summary>A convex part that shows its own way out, to a solid that goes on further into it: the solid's tip
-    /// there, if the part holds it.</summary>
-    private static bool TryTip(
-        ConcaveScratch scratch, in PartDistance pair, in DistanceResult result, in Double3 normal, ContactFit fitA,
-        ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
+    /// <summary>A pair of a convex part and a mesh that goes on: the convex part's face is the one to be pushed along,
+    /// where the tip to which the mesh climbs is over it. The pair has its own contact where its triangle leans, and
+    /// else the tip's, if it overlaps.</summary>
+    private static bool TryConvex(
+        ConcaveScratch scratch, bool isConvexA, in PartContacts own, in PartDistance pair, in Double3 normal,
+        ContactFit fit, in ConvexShape shape, List<PartContacts> contacts)
     {
-        bool isConvexA = scratch.A.Mesh is null;
-        PartSide convex = isConvexA ? scratch.A : scratch.B, solid = isConvexA ? scratch.B : scratch.A;
-        if (convex.Mesh is not null || !solid.IsSolid || (isConvexA ? fitA : fitB) != ContactFit.Stays) return false;
+        bool isOverlapping = own.Result.Distance < 0;
+        PartSide convex = isConvexA ? scratch.A : scratch.B, other = isConvexA ? scratch.B : scratch.A;
+        if (convex.Mesh is not null) return false;
         Double3 outward = isConvexA ? normal : -normal;
-        RotationD toSolid = new(solid.Pose.Rotation);
+        RotationD toOther = new(other.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
         int triangle = isConvexA ? pair.PartB : pair.PartA;
-        if (!MeshClimb.TryFind(solid.Mesh!, triangle, toSolid.InverseRotate(-outward), out int corner)) return false;
-        Double3 local = solid.Mesh!.GetCorner(corner), tip = toSolid.Rotate(local) + solid.Pose.Position;
-        ref readonly ConvexShape shape = ref isConvexA ? ref shapeA : ref shapeB;
-        if (!ConvexQuery.Contains(shape, convex.Pose, (Vector3)tip)) return false;
+        if (!MeshClimb.TryFind(other.Mesh!, triangle, toOther.InverseRotate(-outward), out int corner)) return false;
+        Double3 local = other.Mesh!.GetCorner(corner), tip = toOther.Rotate(local) + other.Pose.Position;
         ManifoldPoint point = CoveredSides.Under(shape, convex.Pose, outward, tip, (Vector3)local);
-        if (!(point.Gap <= 0)) return false;
-        ContactManifold manifold = default;
-        manifold.Begin((Vector3)normal);
-        manifold.Add(isConvexA ? point : point.Swapped);
-        int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
-        var contact = new PartContacts(partA, partB, DeepestPoint.Result(manifold, result), manifold);
-        scratch.FaceContacts.Add(new FaceContact(contact, pair, isConvexA, result));
+        Double3 inConvex = toConvex.InverseRotate(tip - convex.Pose.Position);
+        if (point.Gap <= 0 && !IsOn(scratch, isConvexA, shape, inConvex)) return false;
+        bool isDeep = isOverlapping && other.IsSolid && convex.IsConvex;
+        if (!isDeep && !IsOn(scratch, isConvexA, shape, point.LocalPointA)) return false;
+        if (!isOverlapping)
+        {
+            if (fit == ContactFit.Leans) contacts.Add(own);
+            return true;
+        }
+
+        PartContacts contact = own;
+        if (fit == ContactFit.Ghost)
+        {
+            ContactManifold manifold = default;
+            manifold.Begin((Vector3)normal);
+            manifold.Add(isConvexA ? point : point.Swapped);
+            int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
+            contact = new PartContacts(partA, partB, DeepestPoint.Result(manifold, own.Result), manifold);
+        }
+
+        scratch.FaceContacts.Add(new FaceContact(contact, pair, isConvexA, own.Result));
         return true;
+    }
+
+    /// <summary>Whether a point is on a convex part, or on another one of its body that is near.</summary>
+    private static bool IsOn(ConcaveScratch scratch, bool isA, in ConvexShape shape, in Double3 point)
+    {
+        if (CoveredSides.IsOn(shape, point)) return true;
+        PartSide side = isA ? scratch.A : scratch.B;
+        if (side.IsConvex) return false;
+        ConvexShape room = default;
+        foreach (PartDistance near in scratch.Pairs)
+            if (CoveredSides.IsOn(side.Part(isA ? near.PartA : near.PartB, ref room), point)) return true;
+        return false;
     }
 }

@@ -49,6 +49,9 @@ internal readonly ref struct TipContact
     /// <summary>Whether the tip is over the triangle, or under it.</summary>
     public bool IsOver => _column.Holds(_tip);
 
+    /// <summary>The tip in the world.</summary>
+    public Double3 Placed => CoveredSides.InWorld(_tip, _mesh.Pose);
+
     /// <summary>A manifold of the tip.</summary>
     /// <param name="isMeshA">Whether the mesh is the first side.</param>
     public ContactManifold Manifold(bool isMeshA)

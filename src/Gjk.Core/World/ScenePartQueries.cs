@@ -40,14 +40,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     {
         if (!Has(slot)) return CoveredSides.GoesOn(objects.Shapes[slot], point, direction);
         ConcaveScratch scratch = Rent();
-        float room = (float)(2 * CoveredSides.Room * (1 + point.Length));
-        ConcaveQuery.FindPairsWithin(
-            _shapes[slot], RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point), room,
-            scratch, scratch.Pairs);
-        bool goesOn = false;
-        ConvexShape part = default;
-        for (int i = 0; i < scratch.Pairs.Count && !goesOn; i++)
-            goesOn = CoveredSides.GoesOn(Part(slot, scratch.Pairs[i].PartA, ref part), point, direction);
+        bool goesOn = CoveredSides.GoesOn(scratch, _shapes[slot], PartSide.NoPart, point, direction);
         Return(scratch);
         return goesOn;
     }

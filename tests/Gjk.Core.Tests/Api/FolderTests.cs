@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 117,
         ["Batch"] = 166,
         ["BroadPhase"] = 866,
-        ["Concave"] = 2430,
+        ["Concave"] = 2490,
         ["Concave/Trees"] = 632,
         ["Contacts"] = 975,
         ["Cores"] = 558,
