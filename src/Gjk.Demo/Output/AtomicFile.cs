@@ -158,7 +158,8 @@ internal sealed class AtomicFile : IDisposable
 
     /// <summary>Opens the target for writing, which needs the permission that a rename does not need, and returns it if
     /// it is a pipe or a device. This happens on another thread, because opening a pipe waits for its reader and no
-    /// signal ends that wait. The stream has no buffer. Closing it therefore writes nothing and cannot wait either.</summary>
+    /// signal ends that wait. The stream has no buffer. Closing it therefore writes nothing and cannot wait
+    /// either.</summary>
     /// <returns>Null if it is a file with contents of its own.</returns>
     private static FileStream? OpenIfStream(OutputTarget target, CancellationToken cancel)
     {
