@@ -40,14 +40,15 @@ public static partial class ConcaveQuery
         return Move(scratch, PartMotion.Cast, motionA, motionB, maxFraction, 0, options);
     }
 
-    /// <summary>When two shapes that move and turn at constant rates first come within a tolerance.</summary>
+    /// <summary>When two shapes that move and turn at constant rates first touch, to within a tolerance.</summary>
     /// <param name="a">The first shape.</param>
     /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="tolerance">The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the parts'
-    /// sizes.</param>
+    /// <param name="tolerance">How accurate the touch is: the largest distance of a hit, in world units; 0 or less: at
+    /// most 1e-5 of the parts' sizes. Not coarser than 2e-3 of two parts' bounding radii: it is no distance to
+    /// keep.</param>
     /// <param name="maxFraction">See <see cref="Cast"/>.</param>
     /// <param name="options">See <see cref="Cast"/>.</param>
     /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.TimeOfImpact</c> has

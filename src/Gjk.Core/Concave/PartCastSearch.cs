@@ -30,6 +30,10 @@ internal struct PartCastSearch
     /// gives no tolerance (<see cref="ConvexQuery.DefaultTolerance"/>). More only costs time.</summary>
     private const double ImpactRoom = 1.0 / (1 << 14);
 
+    /// <summary>Ratio to the radii: 2^-6; more than the tolerance that a caller may ask for of any two parts
+    /// (<see cref="ConvexQuery.CoarsestTolerance"/>). More only costs time, counted by ImpactAgreementTests.</summary>
+    private const double MostRoom = 1.0 / (1 << 6);
+
     /// <summary>Count: after so many parts, and each twice as many, a plane is tried. Only the cost changes.</summary>
     private const int IdleBeforeProof = 16;
 
@@ -85,7 +89,8 @@ internal struct PartCastSearch
     public readonly double Last => Math.Min(_maxFraction, _best.Solved);
 
     /// <summary>World units: parts of an impact that are further apart do not touch.</summary>
-    public readonly double TouchRoom => Math.Max(_tolerance, ImpactRoom * Size) * Beyond;
+    public readonly double TouchRoom =>
+        Math.Max(Math.Min(_tolerance, MostRoom * Size), ImpactRoom * Size) * Beyond;
 
     private readonly double Size => (_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins;
 
@@ -200,12 +205,7 @@ internal struct PartCastSearch
         double along = Math.Min(fraction, _to) - _from;
         double length = _motion == PartMotion.Ray ? 1 : _length;
         double way = length > 0 ? along * length * Beyond / _frame.Unit : 0;
-        if (_motion == PartMotion.Impact)
-        {
-            double size = _frame.RadiusA + _frame.RadiusB + _room;
-            way += _room + Math.Max(_tolerance / _frame.Unit, ImpactRoom * size) * Beyond;
-        }
-
+        if (_motion == PartMotion.Impact) way += _room + TouchRoom / _frame.Unit;
         _reached = _motion == PartMotion.Impact ? BoxLanes.Squared(way) : BoxLanes.AtMost(way * Beyond);
     }
 

@@ -6,6 +6,11 @@ public static unsafe partial class ConvexQuery
     /// the scale. Pinned by TimeOfImpactTests.</summary>
     internal const double DefaultTolerance = 5e-6;
 
+    /// <summary>Ratio to the pair's size: a coarser tolerance would make a hit of shapes that are seen to pass each
+    /// other, and of a mesh's triangles where its hull has none. 1e-3 to 3.5e-3 of the scale. Pinned by
+    /// ImpactToleranceTests.</summary>
+    internal const double CoarsestTolerance = 2e-3;
+
     /// <summary>Ratio to the pair's size: a finer tolerance would reach down to what counts as touching for curved
     /// cores (4e-10 of the size). Pinned by ImpactToleranceTests.</summary>
     private const double LeastTolerance = 1e-8;
@@ -23,16 +28,18 @@ public static unsafe partial class ConvexQuery
     /// tolerance. It changes the cost alone.</summary>
     private const double WindowRoom = 4;
 
-    /// <summary>When two shapes that move and turn at constant rates first come within a tolerance.</summary>
+    /// <summary>When two shapes that move and turn at constant rates first touch, to within a tolerance.</summary>
     /// <typeparam name="TA">The first shape's type.</typeparam>
     /// <typeparam name="TB">The second shape's type.</typeparam>
     /// <param name="a">The first shape.</param>
     /// <param name="motionA">How it moves over the fractions from 0 to 1.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="motionB">How it moves.</param>
-    /// <param name="tolerance">The largest distance of a hit, in world units; 0 or less: at most 1e-5 of the longest
-    /// side of the larger shape, or, for two points, of the arms that they turn on or the way between them. Not finer
-    /// than 1e-8 of the sizes and 1e-13 of the distances and ways.</param>
+    /// <param name="tolerance">How accurate the touch is: the largest distance of a hit, in world units; 0 or less: at
+    /// most 1e-5 of the longest side of the larger shape, or, for two points, of the arms that they turn on or the way
+    /// between them. Not finer than 1e-8 of the sizes and 1e-13 of the distances and ways, and not coarser than 2e-3 of
+    /// the sum of the bounding radii. To ask when shapes come within a distance of each other, round one of them by
+    /// it.</param>
     /// <param name="maxFraction">How much of the motion is looked at: 1 for all of it, more for the same motion
     /// continued; less than 0 counts as 0.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
@@ -43,8 +50,9 @@ public static unsafe partial class ConvexQuery
     /// the depth and along the normal that <c>SignedDistance</c> says. Shapes that only touch at 0 are a hit there if
     /// the motion takes them into each other by more than the tolerance before they part; else the contact is passed,
     /// and a later one is found. Shapes that are within the tolerance at the start and part at once do not hit.
-    /// IterationLimit: they are apart up to the fraction, or no deeper than is passed, and 1024 steps or a million
-    /// radians have been spent. Where neither turns, hit and miss are those of <c>Cast</c>, and the fraction is the
+    /// Whether shapes hit that pass each other within the tolerance, without a touch, is open. IterationLimit: they are
+    /// apart up to the fraction, or no deeper than is passed, and 1024 steps or a million radians have been spent.
+    /// Where neither turns, hit and miss are those of <c>Cast</c>, whatever the tolerance, and the fraction is the
     /// float before its.</returns>
     public static CastResult TimeOfImpact<TA, TB>(
         in TA a, in RigidMotion motionA, in TB b, in RigidMotion motionB, float tolerance = 0, float maxFraction = 1,
@@ -126,7 +134,7 @@ public static unsafe partial class ConvexQuery
     private static CastResult BeforeTouching(in CastResult cast) =>
         cast.Status == CastStatus.Hit ? cast.At(RoundOff.Down(cast.Fraction * (1 - OneFloat))) : cast;
 
-    /// <summary>When two cores that move and turn come within a tolerance.</summary>
+    /// <summary>When two cores that move and turn touch, to within a tolerance.</summary>
     private partial struct ImpactQuestion(
         in RigidMotion motionA, in RigidMotion motionB, float tolerance, float maxFraction, WarmStart* warm)
         : IPairSolver<CastResult>
@@ -234,7 +242,8 @@ public static unsafe partial class ConvexQuery
             if (!(size > 0)) size = motion.A.Reach + motion.B.Reach;
             if (!(size > 0)) size = motion.Start.Length;
             double least = Math.Max(LeastTolerance * size, RoundingTolerance * motion.Rounding(end, frame.Margins));
-            return Math.Max(_tolerance > 0 ? _tolerance / frame.Unit : DefaultTolerance * size, least);
+            double asked = _tolerance > 0 ? _tolerance / frame.Unit : DefaultTolerance * size;
+            return Math.Max(Math.Min(asked, CoarsestTolerance * size), least);
         }
 
         private readonly CastResult Nothing(in Impact impact, bool isWhole)

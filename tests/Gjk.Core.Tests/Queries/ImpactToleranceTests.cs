@@ -17,6 +17,20 @@ public class ImpactToleranceTests
         Assert.InRange((StartGap - (double)r.Fraction) / (1e-8 * size), 0.15, 0.4);
     }
 
+    /// <summary>However far apart the cubes are at the start, what is asked for.</summary>
+    [Theory]
+    [InlineData(0.1f)]
+    [InlineData(1)]
+    [InlineData(float.PositiveInfinity)]
+    public void AHugeToleranceIsTwoThousandthsOfTheSize(float tolerance)
+    {
+        const float gap = 0.5f;
+        CastResult r = ConvexQuery.TimeOfImpact(Cube, Still, Cube, Falling(2 + gap, 1), tolerance);
+        Assert.Equal(CastStatus.Hit, r.Status);
+        double size = 2 * Math.Sqrt(3);
+        Assert.InRange((gap - (double)r.Fraction) / (2e-3 * size), 0.15, 0.4);
+    }
+
     /// <summary>The tip of a segment turns into a floor, at most a million radians far: so long a way rounds by more
     /// than that.</summary>
     [Fact]

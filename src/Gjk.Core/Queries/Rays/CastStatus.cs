@@ -6,8 +6,9 @@ public enum CastStatus : byte
     /// <summary>Nothing was asked: what an unwritten result holds. No query returns it.</summary>
     None = 0,
 
-    /// <summary>The shapes touch at the fraction, and not before it; of a time of impact, they are within the tolerance
-    /// at it. The fraction is 0 where they only touch at the start and the motion takes them into each other.</summary>
+    /// <summary>The shapes touch at the fraction, and not before it; of a time of impact, to within the
+    /// tolerance. The fraction is 0 where they only touch at the start and the motion takes them into each
+    /// other.</summary>
     Hit = 1,
 
     /// <summary>No contact counts up to the largest fraction, which the result has; point and normal: NaN. Shapes that

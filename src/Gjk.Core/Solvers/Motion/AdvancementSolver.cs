@@ -1,6 +1,6 @@
 namespace Gjk.Core;
 
-/// <summary>When two cores with margins that move and turn first come within a tolerance of each other: conservative
+/// <summary>When two cores with margins that move and turn first touch, to within a tolerance: conservative
 /// advancement (Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) along planes that turn with
 /// the features (after Catto, "Continuous Collision", 2013).</summary>
 /// <remarks>
