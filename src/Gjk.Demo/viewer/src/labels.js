@@ -49,16 +49,11 @@ export class Labels {
       const { x, y, depth } = this.stage.project(point);
       return { x: x - stage.left, y: y - stage.top, width, height, isShown: depth < 1 };
     });
-    const bodies = this.bodies().map((corners) => {
-      const seen = corners.map((corner) => this.stage.project(corner));
-      const [across, down] = [seen.map(({ x }) => x - stage.left), seen.map(({ y }) => y - stage.top)];
-      return {
-        left: Math.min(...across),
-        top: Math.min(...down),
-        right: Math.max(...across),
-        bottom: Math.max(...down),
-      };
-    });
+    const seen = (point) => {
+      const { x, y } = this.stage.project(point);
+      return { x: x - stage.left, y: y - stage.top };
+    };
+    const bodies = this.bodies().map((corners) => boxOf(corners.map(seen)));
     spread(items, stage, this.mayHide, bodies).forEach((found, i) => {
       const { style } = this.items[i].label;
       style.visibility = found ? 'visible' : 'hidden';
@@ -71,18 +66,18 @@ export class Labels {
 
 /**
  * A box for each label {x, y, width, height}, beside its point or the body that the point is in: none overlaps another,
- * or a point, or a body if that can be. A label that has no free place, or is not shown, gets null, or the first place
- * where it must not hide.
+ * or a point, or a body if that can be; one with `isName` may, since it names what it lies on. A label that has no free
+ * place, or is not shown, gets null, or the first place where it must not hide.
  */
 export function spread(items, bounds, mayHide, bodies = []) {
   const taken = items.map(({ x, y }) => around(x, y));
-  return items.map(({ x, y, width, height, isShown = true }) => {
+  return items.map(({ x, y, width, height, isShown = true, isName = false }) => {
     if (!isShown) return null;
     const near = PLACES.map((place) => box(x, y, place, width, height));
     const under = bodies.filter((body) => overlap(body, { left: x, top: y, right: x, bottom: y }));
     const places = [...near, ...under.flatMap((body) => beside(body, x, y, width, height))];
     const isFree = (b) => isInside(b, bounds) && !taken.some((other) => overlap(b, other));
-    const isClear = (b) => isFree(b) && !bodies.some((body) => overlap(b, body));
+    const isClear = (b) => isFree(b) && (isName || !bodies.some((body) => overlap(b, body)));
     const found = places.find(isClear) ?? near.find(isFree) ?? (mayHide ? null : near[0]);
     if (found) taken.push(found);
     return found;
@@ -96,6 +91,12 @@ const beside = (body, x, y, width, height) => [
   sized(body.left - 2 * GAP - width, y - height / 2, width, height),
   sized(x - width / 2, body.bottom + 2 * GAP, width, height),
 ];
+
+/** The smallest box around points. */
+export function boxOf(points) {
+  const [xs, ys] = [points.map(({ x }) => x), points.map(({ y }) => y)];
+  return { left: Math.min(...xs), top: Math.min(...ys), right: Math.max(...xs), bottom: Math.max(...ys) };
+}
 
 const around = (x, y) => ({ left: x - POINT, top: y - POINT, right: x + POINT, bottom: y + POINT });
 
