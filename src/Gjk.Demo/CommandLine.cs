@@ -169,7 +169,10 @@ internal static class CommandLine
             "cast",
             "Move and turn every pair's objects by their velocities over one frame, and write when and where they "
             + "first touch as CSV.");
-        var input = new PairInput(command);
+        var input = new PairInput(
+            command,
+            "An overlap at the start is proved-at-most: there is a way out as long as its depth, but there may be a "
+                + "shorter one. The answer of a pair that turns is open.");
         command.SetAction(r =>
         {
             (Scene scene, PairTable table) = input.Read(r, cancel);

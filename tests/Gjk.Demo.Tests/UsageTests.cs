@@ -8,6 +8,7 @@ public sealed class UsageTests
     [Theory]
     [InlineData("--help", "replay", "query", "time")]
     [InlineData("replay --help", "--seconds", "--frames", "--json")]
+    [InlineData("cast --help", "--check", "proved-at-most", "turns")]
     [InlineData("query --help", "SCENE.json", "--out", "--max-distance")]
     [InlineData("import --help", ".unity", "--project", "left-handed")]
     [InlineData("time --help", "SCENE.json", "--seconds", "")]

@@ -22,7 +22,7 @@ internal static class ResultCharts
         IReadOnlyList<string[]> tree = Moving(scale, "dynamic-tree");
         yield return LogLogChart.Draw(
             "scale", "Intersecting pairs: time per frame over the objects",
-            "A frame's intersecting pairs, over the objects. Moving cubes, half of them touching another; one thread.",
+            "A frame's intersecting pairs, over the objects. Moving cubes, half of them touching; one thread.",
             Line(
                 "sort and sweep", Ink.Difference, scale, "objects", "broad_ms", NsPerMs,
                 Moving(scale, "sort-and-sweep")),

@@ -30,12 +30,7 @@ internal sealed class PairInput
             + "as \\u001b.",
     };
 
-    private readonly Option<bool> _check = new("--check")
-    {
-        Description = "Add the column check. It says whether the supports of the shapes alone prove the answer. "
-            + "A depth is proved-at-most: there is such a way out, but there may be a shorter one. Exit code 1 if an "
-            + "answer is refuted.",
-    };
+    private readonly Option<bool> _check;
 
     private readonly Option<Shard> _shard = Shard.Option();
 
@@ -43,8 +38,15 @@ internal sealed class PairInput
     public Option Check => _check;
 
     /// <summary>Adds the argument and the options to a command.</summary>
-    public PairInput(Command command)
+    /// <param name="command">The command.</param>
+    /// <param name="verdicts">Which of its answers cannot be proved wholly, for the help of --check.</param>
+    public PairInput(Command command, string verdicts)
     {
+        _check = new("--check")
+        {
+            Description = "Add the column check. It says whether the supports of the shapes alone prove the answer. "
+                + $"{verdicts} Exit code 1 if an answer is refuted.",
+        };
         command.Add(_output);
         command.Add(_names);
         command.Add(_check);

@@ -31,7 +31,8 @@ internal static class QueryOptions
         {
             max, within, depth, parts, contacts,
         };
-        var input = new PairInput(command);
+        var input = new PairInput(
+            command, "A depth is proved-at-most: there is such a way out, but there may be a shorter one.");
         command.Validators.Add(result =>
         {
             bool IsGiven(Option option) => result.GetResult(option) is { Implicit: false };

@@ -20,12 +20,15 @@ const POINT = 5;
 
 /**
  * Short texts at points of a stage. They follow the points when the stage is turned, and no two overlap: a label goes
- * to the first free place around its point. Where all are taken it is left out, or stands at the first one.
+ * to the first free place around its point, or beside the body that its point is in. Where all are taken it is left
+ * out, or stands at the first one. What `bodies` returns, the corners of a box around each body, is kept free if it
+ * can be.
  */
 export class Labels {
-  constructor(stage, mayHide = false) {
+  constructor(stage, mayHide = false, bodies = () => []) {
     this.stage = stage;
     this.mayHide = mayHide;
+    this.bodies = bodies;
     this.items = [];
     stage.onDraw(() => this.place());
   }
@@ -46,7 +49,12 @@ export class Labels {
       const { x, y, depth } = this.stage.project(point);
       return { x: x - stage.left, y: y - stage.top, width, height, isShown: depth < 1 };
     });
-    spread(items, stage, this.mayHide).forEach((found, i) => {
+    const seen = (point) => {
+      const { x, y } = this.stage.project(point);
+      return { x: x - stage.left, y: y - stage.top };
+    };
+    const bodies = this.bodies().map((corners) => boxOf(corners.map(seen)));
+    spread(items, stage, this.mayHide, bodies).forEach((found, i) => {
       const { style } = this.items[i].label;
       style.visibility = found ? 'visible' : 'hidden';
       if (!found) return;
@@ -57,29 +65,47 @@ export class Labels {
 }
 
 /**
- * A box for each label {x, y, width, height}, beside its point: none overlaps another, or a point. A label that has no
- * free place, or is not shown, gets null, or the first place where it must not hide.
+ * A box for each label {x, y, width, height}, beside its point or the body that the point is in: none overlaps another,
+ * or a point, or a body if that can be; one with `isName` may, since it names what it lies on. A label that has no free
+ * place, or is not shown, gets null, or the first place where it must not hide.
  */
-export function spread(items, bounds, mayHide) {
+export function spread(items, bounds, mayHide, bodies = []) {
   const taken = items.map(({ x, y }) => around(x, y));
-  return items.map(({ x, y, width, height, isShown = true }) => {
+  return items.map(({ x, y, width, height, isShown = true, isName = false }) => {
     if (!isShown) return null;
-    const at = (place) => box(x, y, place, width, height);
+    const near = PLACES.map((place) => box(x, y, place, width, height));
+    const under = bodies.filter((body) => overlap(body, { left: x, top: y, right: x, bottom: y }));
+    const places = [...near, ...under.flatMap((body) => beside(body, x, y, width, height))];
     const isFree = (b) => isInside(b, bounds) && !taken.some((other) => overlap(b, other));
-    const found = PLACES.map(at).find(isFree) ?? (mayHide ? null : at(PLACES[0]));
+    const isClear = (b) => isFree(b) && (isName || !bodies.some((body) => overlap(b, body)));
+    const found = places.find(isClear) ?? near.find(isFree) ?? (mayHide ? null : near[0]);
     if (found) taken.push(found);
     return found;
   });
+}
+
+/** Boxes for a label above a body, to the right of it, to the left and below. */
+const beside = (body, x, y, width, height) => [
+  sized(x - width / 2, body.top - 2 * GAP - height, width, height),
+  sized(body.right + 2 * GAP, y - height / 2, width, height),
+  sized(body.left - 2 * GAP - width, y - height / 2, width, height),
+  sized(x - width / 2, body.bottom + 2 * GAP, width, height),
+];
+
+/** The smallest box around points. */
+export function boxOf(points) {
+  const [xs, ys] = [points.map(({ x }) => x), points.map(({ y }) => y)];
+  return { left: Math.min(...xs), top: Math.min(...ys), right: Math.max(...xs), bottom: Math.max(...ys) };
 }
 
 const around = (x, y) => ({ left: x - POINT, top: y - POINT, right: x + POINT, bottom: y + POINT });
 
 /** A label's box beside a point: to the right of it or to the left, and in the middle, above or below. */
 function box(x, y, [aside, down], width, height) {
-  const left = aside < 0 ? x + aside - width : x + aside;
-  const top = y + down - height / 2;
-  return { left, top, right: left + width, bottom: top + height };
+  return sized(aside < 0 ? x + aside - width : x + aside, y + down - height / 2, width, height);
 }
+
+const sized = (left, top, width, height) => ({ left, top, right: left + width, bottom: top + height });
 
 const isInside = (b, stage) => b.left >= 0 && b.top >= 0 && b.right <= stage.width && b.bottom <= stage.height;
 

@@ -10,7 +10,7 @@ import { Stage } from './stage.js';
 import { theme } from './theme.js';
 
 /** With more pairs than this, the page starts with only the lines to nearest partners. */
-const MANY_PAIRS = 400;
+const MANY_PAIRS = 30;
 
 const FRAME_MS = 60;
 

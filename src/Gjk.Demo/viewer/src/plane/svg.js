@@ -1,6 +1,6 @@
 // Pictures of the plane: x to the right, y up, in units of the plane. A part of a picture can have a name, by which the
 // words beside it find it.
-import { spread } from '../labels.js';
+import { boxOf, spread } from '../labels.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -34,14 +34,16 @@ export class Picture {
     this.root.setAttribute('viewBox', `${-this.wide} ${-this.tall} ${2 * this.wide} ${2 * this.tall}`);
     this.parts = [];
     this.labels = [];
+    this.bodies = [];
   }
 
   /** Shows what was drawn, with each label at a free place beside its point. */
   end() {
     const { wide, tall, unit } = this;
-    const items = this.labels.map(({ at: [x, y], width }) => (
-      { x: (x + wide) / unit, y: (tall - y) / unit, width, height: LINE }));
-    spread(items, { width: (2 * wide) / unit, height: (2 * tall) / unit }, false).forEach((box, i) => {
+    const seen = ([x, y]) => ({ x: (x + wide) / unit, y: (tall - y) / unit });
+    const items = this.labels.map(({ at, width, isName }) => ({ ...seen(at), width, height: LINE, isName }));
+    const bodies = this.bodies.map((corners) => boxOf(corners.map(seen)));
+    spread(items, { width: (2 * wide) / unit, height: (2 * tall) / unit }, false, bodies).forEach((box, i) => {
       const { part, content } = this.labels[i];
       part.setAttribute('x', box.left * unit - wide);
       part.setAttribute('y', (box.top + 0.77 * LINE) * unit - tall);
@@ -75,6 +77,7 @@ export class Picture {
   }
 
   polygon(points, className, name) {
+    if (className.startsWith('body')) this.bodies.push(points);
     return this.add('polygon', { points: points.map(([x, y]) => `${x},${-y}`).join(' ') }, className, name);
   }
 
@@ -111,6 +114,6 @@ export class Picture {
   text(at, content, className = '', name = content) {
     const part = shape('text', { class: className, 'font-size': LETTERS * this.unit, 'data-part': name });
     pen.font = `750 ${LETTERS}px system-ui, "DejaVu Sans", sans-serif`;
-    this.labels.push({ at, content, part, width: pen.measureText(content).width + 2 });
+    this.labels.push({ at, content, part, width: pen.measureText(content).width + 2, isName: className === 'name' });
   }
 }

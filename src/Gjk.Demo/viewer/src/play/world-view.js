@@ -19,7 +19,7 @@ export class WorldView {
     this.model = model;
     this.active = 0;
     this.stage = new Stage();
-    this.labels = new Labels(this.stage);
+    this.labels = new Labels(this.stage, false, () => this.bodies.map(cornersOf));
     this.bodies = ['a', 'b'].map((name) => ({ name, group: new Group() }));
     this.ghosts = [new Group(), new Group()];
     this.marks = new Group();
@@ -142,6 +142,15 @@ export class WorldView {
   axes() {
     return [0, 1, 2].map((column) => new Vector3().setFromMatrixColumn(this.stage.camera.matrixWorld, column));
   }
+}
+
+/** The corners of the box around a body, turned with it. */
+function cornersOf({ group, mesh }) {
+  mesh.geometry.computeBoundingBox();
+  group.updateMatrixWorld();
+  const { min, max } = mesh.geometry.boundingBox;
+  return Array.from({ length: 8 }, (_, i) => new Vector3(
+    (i & 1 ? max : min).x, (i & 2 ? max : min).y, (i & 4 ? max : min).z).applyMatrix4(group.matrixWorld));
 }
 
 /** Where a body points after a part of its motion. */
