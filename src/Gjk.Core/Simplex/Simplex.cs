@@ -181,23 +181,17 @@ internal unsafe struct Simplex
         return point;
     }
 
+#if NET
     /// <summary>The weighted sum of A's support points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnA(in Weights w, out Xyz point)
-    {
-        fixed (double* points = _onA) Sum(points, w, out point);
-    }
+    public readonly void PointOnA(in Weights w, out Xyz point) => Sum(_onA[0], w, out point);
 
     /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnB(in Weights w, out Xyz point)
-    {
-        fixed (double* points = _onB) Sum(points, w, out point);
-    }
+    public readonly void PointOnB(in Weights w, out Xyz point) => Sum(_onB[0], w, out point);
 
-#if NET
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void Sum(double* points, in Weights w, out Xyz point)
+    private readonly void Sum(in double points, in Weights w, out Xyz point)
     {
         point = Load(points, A) * w.A;
         if (Count > 1) point += Load(points, B) * w.B;
@@ -207,9 +201,24 @@ internal unsafe struct Simplex
 
     /// <summary>A last lane that no writer has cleared may hold a denormal number, whose products are slow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Xyz Load(double* points, int slot) =>
-        Vector256.Load(points + 4 * slot) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
+    private static Xyz Load(in double points, int slot)
+    {
+        Debug.Assert((uint)slot < 4);
+        return Vector256.LoadUnsafe(in points, (nuint)(4 * slot)) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
+    }
 #else
+    /// <summary>The weighted sum of A's support points.</summary>
+    public readonly void PointOnA(in Weights w, out Xyz point)
+    {
+        fixed (double* points = _onA) Sum(points, w, out point);
+    }
+
+    /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
+    public readonly void PointOnB(in Weights w, out Xyz point)
+    {
+        fixed (double* points = _onB) Sum(points, w, out point);
+    }
+
     private readonly void Sum(double* points, in Weights w, out Xyz point)
     {
         double* p = points + 4 * A;
