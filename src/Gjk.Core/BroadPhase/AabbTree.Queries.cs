@@ -123,4 +123,94 @@ internal sealed partial class AabbTree
         _stack[depth++] = a;
         _stack[depth++] = b;
     }
+
+    /// <summary>Shows a visitor the leaves whose own boxes a path meets, near ones first as a rule: of two children the
+    /// one that the path enters first, and the other is left out where the path was shortened to before it.</summary>
+    /// <param name="path">The path.</param>
+    /// <param name="boxes">By leaf: a box in the leaf's, which decides.</param>
+    /// <param name="visitor">Sees leaves, and may shorten the path.</param>
+    /// <returns>How many boxes were looked at.</returns>
+    /// <remarks>Changes nothing here, so several threads may ask at once.</remarks>
+    public unsafe int Sweep<TVisitor>(in SweptBox path, Aabb[] boxes, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor
+    {
+        if (_root == None || !path.Meets(_nodes[_root].Min, _nodes[_root].Max, path.Limit, out _)) return 0;
+
+        // One for each level: a tree is built anew before it is asked where it has more.
+        int* waiting = stackalloc int[MaxDepth];
+        double* entries = stackalloc double[MaxDepth];
+        int node = _root, depth = 0, visits = 1;
+        double limit = path.Limit;
+        while (true)
+        {
+            if (node < _leafEnd)
+            {
+                visits++;
+                if (path.Meets(boxes[node], limit, out _)) limit = Math.Min(limit, visitor.Visit(node));
+            }
+            else
+            {
+                ref readonly AabbNode box = ref _nodes[node];
+                ref readonly AabbNode left = ref _nodes[box.Left];
+                ref readonly AabbNode right = ref _nodes[box.Right];
+                visits += 2;
+                bool isLeft = path.Meets(left.Min, left.Max, limit, out double leftEntry);
+                bool isRight = path.Meets(right.Min, right.Max, limit, out double rightEntry);
+                if (isLeft && isRight)
+                {
+                    bool isLeftFirst = leftEntry <= rightEntry;
+                    node = isLeftFirst ? box.Left : box.Right;
+                    waiting[depth] = isLeftFirst ? box.Right : box.Left;
+                    entries[depth++] = isLeftFirst ? rightEntry : leftEntry;
+                    continue;
+                }
+
+                if (isLeft || isRight)
+                {
+                    node = isLeft ? box.Left : box.Right;
+                    continue;
+                }
+            }
+
+            while (depth > 0 && entries[depth - 1] > limit) depth--;
+            if (depth == 0) return visits;
+            node = waiting[--depth];
+        }
+    }
+
+    /// <summary>Levels: so far down a built tree follows the curve; below, it halves what is left, so that it is never
+    /// deeper than this and the logarithm of the number of leaves. A curve alone peels off the points of a row of 1,
+    /// 1/2, 1/4, ... one by one.</summary>
+    private const int MaxCurveDepth = 40;
+
+    /// <summary>A leaf's box, for <see cref="Build"/>.</summary>
+    public void SetLeaf(int leaf, Vector3 min, Vector3 max)
+    {
+        _nodes[leaf].Min = min;
+        _nodes[leaf].Max = max;
+    }
+
+    /// <summary>Builds the tree anew over leaves whose boxes were set by <see cref="SetLeaf"/>.</summary>
+    public void Build(CurveOrder order)
+    {
+        Reset(_leafEnd);
+        if (order.Count == 0) return;
+        _root = Join(order, 0, order.Count, 0);
+        _parents[_root] = None;
+    }
+
+    /// <summary>A tree over a part of the order; it calls itself no deeper than the tree is.</summary>
+    private int Join(CurveOrder order, int begin, int end, int depth)
+    {
+        if (end - begin == 1) return order[begin];
+        int middle = order.Split(begin, end);
+        if (depth >= MaxCurveDepth) middle = CurveOrder.Middle(begin, end);
+        int node = _free[--_freeCount];
+        int left = Join(order, begin, middle, depth + 1), right = Join(order, middle, end, depth + 1);
+        _nodes[node].Left = left;
+        _nodes[node].Right = right;
+        _parents[left] = _parents[right] = node;
+        Enclose(node);
+        return node;
+    }
 }

@@ -27,7 +27,7 @@ internal sealed class FatLeaves(BoundsTable table)
     private const int LeastToOrder = 64;
 
     /// <summary>The objects that need a new leaf. Some of them may have been removed meanwhile.</summary>
-    private readonly IdSet _unplaced = new();
+    public IdSet Unplaced { get; } = new();
     private readonly CurveOrder _order = new(table);
 
     /// <summary>By how much an object moved along each axis when it left its leaf.</summary>
@@ -39,15 +39,12 @@ internal sealed class FatLeaves(BoundsTable table)
     /// <summary>How the leaves are enlarged; those that are there stay as they are.</summary>
     public FatLevel Level { get; set; } = FatLevel.Motion;
 
-    /// <summary>How many numbers wait for a leaf, for the tests.</summary>
-    public int WaitingCount => _unplaced.Count;
-
     public bool IsInTree(int id) => _inTree[id];
 
     /// <summary>Makes room for the numbers below a capacity; nothing changes if there is no memory for it.</summary>
     public void Reserve(int capacity)
     {
-        _unplaced.Reserve(capacity);
+        Unplaced.Reserve(capacity);
         _order.Reserve(capacity);
         if (_steps.Length < capacity) Array.Resize(ref _steps, capacity);
         if (_inTree.Length < capacity) Array.Resize(ref _inTree, capacity);
@@ -56,15 +53,15 @@ internal sealed class FatLeaves(BoundsTable table)
     public void Add(int id)
     {
         _steps[id] = default;
-        _unplaced.Add(id);
+        Unplaced.Add(id);
     }
 
     /// <summary>Is told before a box changes in the table.</summary>
     public void Move(int id, in Aabb from, in Aabb to)
     {
-        if (_unplaced.Has[id] || IsFit(to, Tree.Node(id))) return;
+        if (Unplaced.Has[id] || IsFit(to, Tree.Node(id))) return;
         _steps[id] = Vector3.Max(Vector3.Abs(to.Min - from.Min), Vector3.Abs(to.Max - from.Max));
-        _unplaced.Add(id);
+        Unplaced.Add(id);
     }
 
     public void Remove(int id)
@@ -77,16 +74,16 @@ internal sealed class FatLeaves(BoundsTable table)
     {
         Tree.Reset(Tree.Capacity);
         Array.Clear(_inTree, 0, _inTree.Length);
-        _unplaced.Clear();
+        Unplaced.Clear();
         Level = FatLevel.Motion;
     }
 
     /// <summary>Gives new leaves to the objects that need one, and adds them to a set.</summary>
     public void Update(IdSet placed)
     {
-        if (_unplaced.Count == 0) return;
-        if (_unplaced.Count > table.Count / MovedPartForBuild || !TryInsertAll(placed)) Build(placed);
-        _unplaced.Clear();
+        if (Unplaced.Count == 0) return;
+        if (Unplaced.Count > table.Count / MovedPartForBuild || !TryInsertAll(placed)) Build(placed);
+        Unplaced.Clear();
     }
 
     /// <summary>Builds the whole tree; all objects get new leaves.</summary>
@@ -106,7 +103,7 @@ internal sealed class FatLeaves(BoundsTable table)
         }
 
         Tree.Build(_order);
-        _unplaced.Clear();
+        Unplaced.Clear();
     }
 
     /// <summary>The leaf holds the box, and the box has not become much smaller since.</summary>
@@ -119,14 +116,14 @@ internal sealed class FatLeaves(BoundsTable table)
     private bool TryInsertAll(IdSet placed)
     {
         if (Tree.Capacity < table.Boxes.Length) Tree.Grow(table.Boxes.Length);
-        _unplaced.KeepPresent(table.Present);
-        int count = _unplaced.Count;
+        Unplaced.KeepPresent(table.Present);
+        int count = Unplaced.Count;
         bool isOrdered = count >= LeastToOrder;
-        if (isOrdered) _order.Fill(_unplaced.Ids, count);
+        if (isOrdered) _order.Fill(Unplaced.Ids, count);
         for (int i = 0; i < count; i++)
         {
             // In order, what one object needs of the tree is in the cache from the one before.
-            int id = isOrdered ? _order[i] : _unplaced.Ids[i];
+            int id = isOrdered ? _order[i] : Unplaced.Ids[i];
             if (_inTree[id]) Tree.Remove(id);
             Fatten(id, out Vector3 min, out Vector3 max);
             _inTree[id] = Tree.TryInsert(id, min, max);

@@ -23,7 +23,7 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
 
     /// <summary>The objects with new leaves, whose kept pairs are not those of the leaves. Some may have been
     /// removed.</summary>
-    private readonly IdSet _unpaired = new();
+    public IdSet Unpaired { get; } = new();
     private PairKeys _pairs = new();
     private PairKeys _found = new();
 
@@ -46,22 +46,19 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
     /// <summary>How many pairs are kept.</summary>
     public int Count => _isValid ? _pairs.Count : 0;
 
-    /// <summary>How many numbers wait for their pairs, for the tests.</summary>
-    public int WaitingCount => _unpaired.Count;
-
     /// <summary>How many pairs may be held: less in tests.</summary>
     public int PairLimit
     {
         set => _pairs.Limit = _found.Limit = _begun.Limit = value;
     }
 
-    public void Reserve(int capacity) => _unpaired.Reserve(capacity);
+    public void Reserve(int capacity) => Unpaired.Reserve(capacity);
 
     public void Remove() => _anyRemoved = true;
 
     public void Clear()
     {
-        _unpaired.Clear();
+        Unpaired.Clear();
         _isValid = _anyRemoved = false;
         _margin = 0;
         _questionsBelowMargin = _questionsTight = 0;
@@ -71,7 +68,7 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
 
     /// <summary>Gives all objects leaves, so that the tree can be asked; the pairs wait until they are asked
     /// for.</summary>
-    public void UpdateLeaves() => leaves.Update(_unpaired);
+    public void UpdateLeaves() => leaves.Update(Unpaired);
 
     /// <summary>Pairs, in order, among which are all pairs of boxes within a margin.</summary>
     public PairKeys Find(float margin)
@@ -104,7 +101,7 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
             _isValid = false;
             _questionsTight = 0;
             if (leaves.Level > FatLevel.None) leaves.Level--;
-            leaves.Build(_unpaired);
+            leaves.Build(Unpaired);
             _found.Count = 0;
 
             // New leaves that are not enlarged have no other pairs than the boxes.
@@ -118,7 +115,7 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         (_pairs, _found) = (_found, _pairs);
         _isValid = true;
         _anyRemoved = false;
-        _unpaired.Clear();
+        Unpaired.Clear();
         _margin = margin;
         _questionsBelowMargin = 0;
         return _pairs;
@@ -128,10 +125,10 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
     /// kept, where finding all anew is better.</summary>
     private bool TryUpdate()
     {
-        if (_unpaired.Count == 0 && !_anyRemoved) return true;
+        if (Unpaired.Count == 0 && !_anyRemoved) return true;
         _isValid = false;
-        if (_unpaired.Count > table.Count / UnpairedPartForAll) return false;
-        bool[] unpaired = _unpaired.Has;
+        if (Unpaired.Count > table.Count / UnpairedPartForAll) return false;
+        bool[] unpaired = Unpaired.Has;
         int kept = 0;
         for (int i = 0; i < _pairs.Count; i++)
         {
@@ -143,14 +140,14 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         _pairs.Count = kept;
         _begun.Count = 0;
         long most = PairBudget.Of(table.Count, _lastAnswer) - kept;
-        for (int i = 0; i < _unpaired.Count; i++)
+        for (int i = 0; i < Unpaired.Count; i++)
         {
-            int id = _unpaired.Ids[i];
+            int id = Unpaired.Ids[i];
             if (leaves.IsInTree(id)) leaves.Tree.QueryPairs(id, _margin, unpaired, _begun);
             if (_begun.Count > most) return false;
         }
 
-        _unpaired.Clear();
+        Unpaired.Clear();
         _begun.Sort(table.End);
         _pairs.Merge(_begun);
         _anyRemoved = false;

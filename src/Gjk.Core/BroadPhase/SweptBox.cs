@@ -102,8 +102,7 @@ public readonly struct SweptBox
         double lowX = -(passedX + slack) * _inverse.X, highX = (leftX + slack) * _inverse.X;
         double lowY = -(passedY + slack) * _inverse.Y, highY = (leftY + slack) * _inverse.Y;
         double lowZ = -(passedZ + slack) * _inverse.Z, highZ = (leftZ + slack) * _inverse.Z;
-        entry = Math.Max(
-            Math.Max(Math.Min(lowX, highX), Math.Min(lowY, highY)), Math.Max(Math.Min(lowZ, highZ), 0));
+        entry = Math.Max(Math.Max(Math.Min(lowX, highX), Math.Min(lowY, highY)), Math.Max(Math.Min(lowZ, highZ), 0));
         double exit = Math.Min(
             Math.Min(Math.Max(lowX, highX), Math.Max(lowY, highY)), Math.Min(Math.Max(lowZ, highZ), limit));
         return entry <= exit;

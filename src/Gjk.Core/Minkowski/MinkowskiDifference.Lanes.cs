@@ -35,8 +35,7 @@ internal static partial class MinkowskiDifference
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int SupportInLanes<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out Double3 w)
+    private static int SupportInLanes<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, out Double3 w)
     {
         w = Xyz(SupportInLanes(ref a, ref b, frame, -normal, out _, out _, out int idA, out int idB));
         return idA | idB;

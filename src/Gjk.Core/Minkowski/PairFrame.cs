@@ -7,7 +7,7 @@ namespace Gjk.Core;
 /// measured from their centres. Lengths are in solver units. One unit is <see cref="Unit"/> world units, which is 1 for
 /// all pairs of ordinary size (<see cref="IsOrdinary"/>); the others are brought to unit size by a power of two, which
 /// rounds nothing (<see cref="UnitSized{T}"/>).</remarks>
-internal partial struct PairFrame
+internal struct PairFrame
 {
     /// <summary>Ratio of centres to radii: beyond it, rotating the centres in double would cost more than the promised
     /// 1e-14 of the scale, so it is done in double-double. A smaller ratio would only cost time. Pinned by
@@ -219,4 +219,60 @@ internal partial struct PairFrame
         double error = ExtendedError * (((Double3)centerA).SumOfMagnitudes + ((Double3)centerB).SumOfMagnitudes);
         return rounded.SumOfMagnitudes > error ? rounded : default;
     }
+
+    /// <summary>The same for shapes of which one is placed: the frame of their cores, in the cores' axes.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void ComposePlaced<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out PairFrame frame)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out Placement? placedA);
+        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out Placement? placedB);
+        Placement inA = placedA ?? Placement.None, inB = placedB ?? Placement.None;
+        frame._turnA = inA.Turn;
+        frame._turnB = inB.Turn;
+        PoseComposition.Compose(
+            poseA, inA.Turn, poseB, inB.Turn, out frame.RotationA, out frame.Rotation, out frame.Inverse,
+            out frame._areRotations);
+        frame.IsPlaced = true;
+        frame.CenterA = placedA is null ? coreA.Center : inA.CenterInCore;
+        frame.CenterB = placedB is null ? coreB.Center : inB.CenterInCore;
+        frame.RadiusA = coreA.BoundingRadius;
+        frame.RadiusB = coreB.BoundingRadius;
+        frame.MarginA = coreA.Margin;
+        frame.MarginB = coreB.Margin;
+        frame.Unit = 1;
+        frame.End = 0;
+        double offset = frame.CenterA.SumOfMagnitudes + frame.CenterB.SumOfMagnitudes;
+        if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
+        {
+            frame.Translation = frame.RotationA.InverseRotate((Double3)poseB.Position - poseA.Position)
+                + (frame.Rotation.Rotate(frame.CenterB) - frame.CenterA);
+        }
+        else
+        {
+            frame.Translation = frame.RotationA.InverseRotate(
+                BetweenFarCenters(
+                    poseA, poseB, placedA is null ? coreA.Center : inA.ExactCenter,
+                    placedB is null ? coreB.Center : inB.ExactCenter));
+        }
+
+        frame.Magnitude =
+            frame.RadiusA + frame.RadiusB + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
+    }
+
+    /// <summary>The rotation of A's core in A's frame; null where neither core is placed.</summary>
+    public readonly QuaternionD? TurnOfA => IsPlaced ? _turnA : null;
+
+    /// <summary>The rotation of B's core in B's frame; null where neither core is placed.</summary>
+    public readonly QuaternionD? TurnOfB => IsPlaced ? _turnB : null;
+
+    /// <summary>A point or direction in the axes of A's core, in A's frame, if one of the cores is placed.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public readonly Xyz OutOfA(Xyz v) => _turnA.Rotate(v);
+
+    /// <summary>The same for B's core.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public readonly Xyz OutOfB(Xyz v) => _turnB.Rotate(v);
 }

@@ -18,8 +18,7 @@ internal static class PoseComposition
 #endif
         QuaternionD.Widen(poseA.Rotation, out QuaternionD qa);
         QuaternionD.Widen(poseB.Rotation, out QuaternionD qb);
-        Compose(
-            qa, qb, qa.LengthSquared, qb.LengthSquared, out rotationA, out rotation, out inverse, out areRotations);
+        Compose(qa, qb, qa.LengthSquared, qb.LengthSquared, out rotationA, out rotation, out inverse, out areRotations);
     }
 
     /// <summary>The same for axes that are turned inside the poses.</summary>

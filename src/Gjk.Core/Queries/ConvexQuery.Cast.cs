@@ -92,8 +92,7 @@ public static unsafe partial class ConvexQuery
             ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out CastResult result)
         {
             if (!Balls.Are(ref a, ref b))
-                return TryCastPoint(
-                    ref a, poseA, _translationA, ref b, poseB, _translationB, _maxFraction, out result);
+                return TryCastPoint(ref a, poseA, _translationA, ref b, poseB, _translationB, _maxFraction, out result);
             result = CastBalls(ref a, poseA, _translationA, ref b, poseB, _translationB, _maxFraction);
             return true;
         }
@@ -119,8 +118,7 @@ public static unsafe partial class ConvexQuery
             CastStatus status = StatusOf(_cast.Outcome, _cast.Fraction);
             if (status is not (CastStatus.Hit or CastStatus.OverlappingAtStart))
             {
-                result = CastResult.Nothing(
-                    status, FractionOf(status, _cast.Fraction, _maxFraction), _cast.Iterations);
+                result = CastResult.Nothing(status, FractionOf(status, _cast.Fraction, _maxFraction), _cast.Iterations);
                 return;
             }
 

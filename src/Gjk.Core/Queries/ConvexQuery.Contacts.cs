@@ -91,8 +91,7 @@ public static unsafe partial class ConvexQuery
         plane.SetAlong(plane.Frame.RotationA.InverseRotate(normal));
         ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(a, out _) : a;
         ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(b, out _) : b;
-        TryAddFaces(
-            ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
+        TryAddFaces(ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
         if (manifold.Count == 0) manifold.Clear();
     }
 
@@ -161,7 +160,6 @@ public static unsafe partial class ConvexQuery
         id = ContactFeature.Of(ContactFeature.OnlyCorner(cornersA), ContactFeature.OnlyCorner(cornersB));
         if (cornersA.Count < 2 || cornersB.Count < 2) return false;
         plane.Span();
-        return ContactBuilder.TryBuild(
-            ref a, ref b, plane, cornersA, cornersB, poseA, maxGap, distance, ref manifold);
+        return ContactBuilder.TryBuild(ref a, ref b, plane, cornersA, cornersB, poseA, maxGap, distance, ref manifold);
     }
 }

@@ -67,8 +67,7 @@ public static unsafe partial class ConvexQuery
             double allowed = _options.AllowedDepth / frame.Unit;
             while (true)
             {
-                ContactFollower.Solve(
-                    ref a, ref b, ref frame, ref motion, interval, tolerance, allowed, ref impact);
+                ContactFollower.Solve(ref a, ref b, ref frame, ref motion, interval, tolerance, allowed, ref impact);
                 if (impact.Outcome != MotionVerdict.Over) break;
                 Impact past = impact;
                 AdvancementSolver.Solve(
@@ -86,8 +85,7 @@ public static unsafe partial class ConvexQuery
 
             if (impact.Outcome == MotionVerdict.Hit)
             {
-                return contact.With(
-                    contact.Status, contact.Point, contact.Normal, impact.Iterations, contact.Depth);
+                return contact.With(contact.Status, contact.Point, contact.Normal, impact.Iterations, contact.Depth);
             }
 
             return Nothing(impact, isWhole);

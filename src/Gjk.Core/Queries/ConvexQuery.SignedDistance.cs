@@ -19,8 +19,7 @@ public static unsafe partial class ConvexQuery
     /// search builds outgrows its room (curved shapes that are concentric, hulls of thousands of vertices deep in each
     /// other), the status is <see cref="GjkStatus.IterationLimit"/>, and the true signed distance is between
     /// <see cref="DistanceResult.LowerBound"/> and <see cref="DistanceResult.Distance"/>.</returns>
-    public static DistanceResult SignedDistance<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
+    public static DistanceResult SignedDistance<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {

@@ -83,8 +83,7 @@ internal static class DistanceFinish
 
     /// <summary>The lower bound of the better of the plane and the feature. The plane is the feature's but for a walk
     /// in extended precision that ended on an older, better one.</summary>
-    private static float BoundOf(
-        in SolverState state, in PairFrame frame, double scale, bool isSigned, bool isTouching)
+    private static float BoundOf(in SolverState state, in PairFrame frame, double scale, bool isSigned, bool isTouching)
     {
         double planeScale = state.Plane.NormalSquared == state.Feature.NormalSquared
             ? scale
@@ -145,8 +144,7 @@ internal static class DistanceFinish
 
     /// <summary>The separating plane's gap less everything that rounding can have added to it, and then rounded
     /// down.</summary>
-    private static float LowerBound(
-        double coreGap, in SolverState state, in PairFrame frame, bool isSigned = false)
+    private static float LowerBound(double coreGap, in SolverState state, in PairFrame frame, bool isSigned = false)
     {
         // The centres are no further apart than the gap and both sizes, so this is at least the size and the distance
         // of the centres.

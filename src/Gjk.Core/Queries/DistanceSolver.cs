@@ -49,7 +49,7 @@ internal unsafe struct DistanceSolver<TTrace>(
         else state.Feature.Normal = frame.FirstNormal;
         ProvedDistance.Solve(ref a, ref b, frame, reach, _warm != null, ref state, ref Trace);
         if (_warm != null) _warm->Keep(state);
-        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref Trace);
+        SideNormal<TA, TB>.Sharpen(ref a, ref b, frame, ref state, ref Trace);
     }
 
     readonly void IPairSolver<DistanceResult>.Finish(
@@ -75,8 +75,7 @@ internal unsafe struct DistanceSolver<TTrace>(
     {
         GjkDistance.SolvePoints(frame, ref state);
         if (!Trace.IsOn) return;
-        Trace.OnSupport(
-            new TracedSupport(frame, frame.FirstNormal, state.Simplex, state.Simplex.A, isExtended: false));
+        Trace.OnSupport(new TracedSupport(frame, frame.FirstNormal, state.Simplex, state.Simplex.A, isExtended: false));
         Trace.OnReduced(new TracedSimplex(state.Simplex, frame, isExtended: false));
     }
 }

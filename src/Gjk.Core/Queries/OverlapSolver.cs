@@ -24,7 +24,9 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     readonly void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
     {
-        state.Verdict = QuickVerdict(ref a, ref b, frame);
+        // Apart or Enclosed where rounding cannot change the answer.
+        state.Verdict = Proofs.AreBallsApart(frame) ? Verdict.Apart
+            : frame.Margins == 0 ? GjkOverlap.Solve(ref a, ref b, frame) : Verdict.Undecided;
         if (state.Verdict == Verdict.Undecided) SolveDistance(ref a, ref b, frame, ref state);
     }
 
@@ -53,15 +55,6 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
             && PairFrame.IsOrdinarySize(distanceSquared) && poseA.IsValid && poseB.IsValid;
     }
 
-    /// <summary>Apart or Enclosed where rounding cannot change the answer.</summary>
-    private static Verdict QuickVerdict<TA, TB>(ref TA a, ref TB b, in PairFrame frame)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        if (Proofs.AreBallsApart(frame)) return Verdict.Apart;
-        return frame.Margins == 0 ? GjkOverlap.Solve(ref a, ref b, frame) : Verdict.Undecided;
-    }
-
     /// <summary>What the distance query says, which need not go further than to see the shapes apart.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void SolveDistance<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
@@ -72,7 +65,7 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
         double reach = ProvedDistance.CoreReach(0, frame);
         state.Feature.Normal = frame.FirstNormal;
         ProvedDistance.Solve(ref a, ref b, frame, reach, false, ref state, ref trace);
-        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref trace);
+        SideNormal<TA, TB>.Sharpen(ref a, ref b, frame, ref state, ref trace);
         if (state.Verdict != Verdict.Apart) return;
         double distance = Proofs.DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
         if (Proofs.IsTouching(state, distance)) state.Verdict = Verdict.Enclosed;

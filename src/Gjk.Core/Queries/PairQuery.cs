@@ -187,8 +187,7 @@ internal interface IPairSolver<TResult> : ICoreSolver
         where TB : struct, ISupportMap;
 
     /// <summary>Makes the answer of what the solver found.</summary>
-    void Finish(
-        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out TResult result);
+    void Finish(in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out TResult result);
 }
 
 /// <summary>What is solved for two cores.</summary>

@@ -57,7 +57,7 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
             return;
         }
 
-        SignedSolver.Solve(ref a, ref b, frame, ref *Warm, Warm != null, ref state, ref Trace);
+        SignedSolver<TA, TB>.Solve(ref a, ref b, frame, ref *Warm, Warm != null, ref state, ref Trace);
         if (Touch != null && state.IsCurved && state.Verdict == Verdict.Apart)
             Touch->IsTouch = CurvedTouch.TryFind(ref a, ref b, frame, state, out Touch->Found);
     }

@@ -45,3 +45,74 @@ internal struct FeatureVertices
         }
     }
 }
+
+/// <summary>A vertex of A - B, and the slot of the <see cref="Simplex"/> that holds the support points that it was made
+/// from.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal struct MinkowskiVertex(in Double3 w, int slot)
+{
+    public double X = w.X, Y = w.Y, Z = w.Z;
+
+    /// <summary>As wide as the coordinates, so that the four fit registers without a gap.</summary>
+    public long Slot = slot;
+
+    public readonly Double3 W
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(X, Y, Z);
+    }
+
+    /// <summary>Takes another's place number by number, which stays in registers where a copy of the whole would
+    /// not.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set(in MinkowskiVertex other)
+    {
+        X = other.X;
+        Y = other.Y;
+        Z = other.Z;
+        Slot = other.Slot;
+    }
+}
+
+/// <summary>The vertex, edge or face of a simplex that is nearest the origin, as the plane through it that is
+/// perpendicular to the way there. A feature's distance is Height / |Normal|; nothing is divided or
+/// normalised.</summary>
+internal struct ClosestFeature
+{
+    /// <summary>From the origin towards the feature and perpendicular to it, of any length.</summary>
+    public Double3 Normal;
+
+    /// <summary>Normal · x for every x of the feature: at least 0.</summary>
+    public double Height;
+
+    /// <summary>|Normal|².</summary>
+    public double NormalSquared;
+
+    /// <summary>The squared distance of the feature from the origin.</summary>
+    public readonly double DistanceSquared => Height * Height / NormalSquared;
+}
+
+/// <summary>A plane n·x = value that has the whole Minkowski difference on its far side, as a support point proves:
+/// value / |n| is a lower bound of the distance of the cores.</summary>
+internal struct SupportPlane
+{
+    /// <summary>From the origin to the plane, of any length.</summary>
+    public Double3 Normal;
+
+    /// <summary>|Normal|²; 0 where no plane is known.</summary>
+    public double NormalSquared;
+
+    /// <summary>Normal · x on the plane.</summary>
+    public double Value;
+
+    /// <summary>The plane across a feature's normal.</summary>
+    public void Set(in ClosestFeature feature, double value)
+    {
+        Value = value;
+        Double3.Write(feature.Normal.X, feature.Normal.Y, feature.Normal.Z, out Normal);
+        NormalSquared = feature.NormalSquared;
+    }
+
+    /// <summary>The plane's distance from the origin, negative where the origin is beyond it.</summary>
+    public readonly double Distance => Value / Math.Sqrt(NormalSquared);
+}

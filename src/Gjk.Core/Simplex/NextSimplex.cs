@@ -147,8 +147,7 @@ internal static class NextSimplex
     private static void KeepEdge(ref FeatureVertices simplex, ref ClosestFeature feature)
     {
         double ax = simplex.A.X, ay = simplex.A.Y, az = simplex.A.Z;
-        KeepEdge(
-            ref simplex, ref feature, ax, ay, az, simplex.B.X - ax, simplex.B.Y - ay, simplex.B.Z - az);
+        KeepEdge(ref simplex, ref feature, ax, ay, az, simplex.B.X - ax, simplex.B.Y - ay, simplex.B.Z - az);
     }
 
     /// <summary>The inside of AB, of which b is ab: (ab × a) × ab is perpendicular to AB to the last bits, however near
@@ -220,8 +219,7 @@ internal static class NextSimplex
     /// <summary>Of several faces the one whose own nearest feature is nearest; the first of equals.</summary>
     /// <remarks>The vertices come by value: the caller's are to stay in registers.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static int Nearest(
-        int faces, MinkowskiVertex a, MinkowskiVertex b, MinkowskiVertex c, MinkowskiVertex d)
+    private static int Nearest(int faces, MinkowskiVertex a, MinkowskiVertex b, MinkowskiVertex c, MinkowskiVertex d)
     {
         double abc = (faces & Abc) != 0 ? DistanceSquared(a, b, c) : double.PositiveInfinity;
         double acd = (faces & Acd) != 0 ? DistanceSquared(a, c, d) : double.PositiveInfinity;

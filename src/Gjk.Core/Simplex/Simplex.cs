@@ -122,8 +122,7 @@ internal unsafe struct Simplex
 #if NET
     /// <inheritdoc cref="Fill(int, in Double3, in Double3, in Double3, int, int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Fill(
-        int slot, Vector256<double> w, Vector256<double> onA, Vector256<double> onB, int idA, int idB)
+    public void Fill(int slot, Vector256<double> w, Vector256<double> onA, Vector256<double> onB, int idA, int idB)
     {
         Debug.Assert((uint)slot < 4);
         w.StoreUnsafe(ref _w[0], (nuint)(4 * slot));
@@ -185,29 +184,20 @@ internal unsafe struct Simplex
 #if NET
     /// <summary>The weighted sum of A's support points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnA(in Weights w, out Xyz point)
-    {
-        point = XyzOnA(A) * w.A;
-        if (Count > 1) point += XyzOnA(B) * w.B;
-        if (Count > 2) point += XyzOnA(C) * w.C;
-        if (Count > 3) point += XyzOnA(D) * w.D;
-    }
+    public readonly void PointOnA(in Weights w, out Xyz point) => Sum(_onA[0], w, out point);
 
     /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnB(in Weights w, out Xyz point)
+    public readonly void PointOnB(in Weights w, out Xyz point) => Sum(_onB[0], w, out point);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly void Sum(in double points, in Weights w, out Xyz point)
     {
-        point = XyzOnB(A) * w.A;
-        if (Count > 1) point += XyzOnB(B) * w.B;
-        if (Count > 2) point += XyzOnB(C) * w.C;
-        if (Count > 3) point += XyzOnB(D) * w.D;
+        point = Load(points, A) * w.A;
+        if (Count > 1) point += Load(points, B) * w.B;
+        if (Count > 2) point += Load(points, C) * w.C;
+        if (Count > 3) point += Load(points, D) * w.D;
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly Xyz XyzOnA(int slot) => Load(_onA[0], slot);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly Xyz XyzOnB(int slot) => Load(_onB[0], slot);
 
     /// <summary>A last lane that no writer has cleared may hold a denormal number, whose products are slow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -27,8 +27,7 @@ internal ref struct BestNormal
     /// <param name="center">The other's centre, for shapes that show nothing.</param>
     /// <param name="known">From the round side to the other, of unit length, as a search found it.</param>
     /// <param name="size">Of the pair.</param>
-    public BestNormal(
-        in FaceCorners round, in FaceCorners other, in Double3 center, in Double3 known, double size)
+    public BestNormal(in FaceCorners round, in FaceCorners other, in Double3 center, in Double3 known, double size)
     {
         _known = known;
         _equal = Equal * size;
@@ -142,8 +141,7 @@ internal readonly struct BallEdge
 
     /// <summary>How far it reaches in a direction.</summary>
     public double Reach(in Double3 direction) =>
-        Math.Max(
-            Double3.Dot(direction, First) + _firstRadius, Double3.Dot(direction, Last) + _lastRadius);
+        Math.Max(Double3.Dot(direction, First) + _firstRadius, Double3.Dot(direction, Last) + _lastRadius);
 
     /// <summary>The middle of the part of another that lies beside this, at least of its nearer end.</summary>
     public Double3 MiddleBeside(in BallEdge other)

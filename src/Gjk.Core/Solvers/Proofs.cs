@@ -8,8 +8,7 @@ internal static class Proofs
     /// For curved cores that of the shapes is meant: beside long margins, more than counts as touching would be
     /// nothing.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsClosed(
-        double gap, in ClosestFeature feature, bool curved, double noise, double margins)
+    public static bool IsClosed(double gap, in ClosestFeature feature, bool curved, double noise, double margins)
     {
         double ratio = curved ? GjkTolerances.RelativeGapCurved : GjkTolerances.RelativeGap;
         double least = ratio * feature.Height;

@@ -9,7 +9,9 @@ namespace Gjk.Core;
 /// Nothing of it is assumed: the direction is taken if a support proves that it separates the bodies at least as far as
 /// the plane that is known, and if there are points along it, which supports a little to both sides give, or the known
 /// ones.</remarks>
-internal static class SideNormal
+internal static class SideNormal<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Length: bodies that are further apart than this need no sharp normal. As far as a maximal gap usually
     /// reaches; more costs time. Pinned by RestingSideTests.</summary>
@@ -42,20 +44,15 @@ internal static class SideNormal
     /// <param name="state">Of cores that are apart or overlap; a positive distance stays as it is.</param>
     /// <param name="trace">Is told of the supports.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Sharpen<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static void Sharpen<TTrace>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TTrace : struct, IGjkTrace
     {
         if (state.IsCurved && state.Verdict == Verdict.Apart) SharpenNear(ref a, ref b, frame, ref state, ref trace);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static unsafe void SharpenNear<TA, TB, TTrace>(
+    private static unsafe void SharpenNear<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
@@ -78,11 +75,9 @@ internal static class SideNormal
     }
 
     /// <summary>Takes the normal, if it is as good as the one that is known.</summary>
-    private static void Take<TA, TB, TTrace>(
+    private static void Take<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, bool isOfA, in Double3 known,
         ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
         Simplex.Begin(out Simplex ends);
@@ -116,11 +111,9 @@ internal static class SideNormal
     /// little that it stays on its surface.</summary>
     /// <returns>False where they are too far from such a line, are not the furthest along it, or one would leave the
     /// side at its end.</returns>
-    private static bool TryMove<TA, TB>(
+    private static bool TryMove(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, double gap, bool isOfA,
         ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Double3 onA = state.Simplex.MeanOnA(state.Weights);
         Double3 between = -state.Simplex.PointOf(state.Weights), onB = onA + between;
@@ -141,17 +134,14 @@ internal static class SideNormal
         if (isOfA) onA = onB - normal * gap;
         else onB = onA + normal * gap;
         state.Simplex.Clear();
-        state.Simplex.Push(
-            normal * -gap, onA, frame.Rotation.InverseRotate(onB - frame.Translation), -1, -1);
+        state.Simplex.Push(normal * -gap, onA, frame.Rotation.InverseRotate(onB - frame.Translation), -1, -1);
         state.Weights = ClosestPointWeights.Of(state.Simplex);
         return true;
     }
 
-    private static Double3 Support<TA, TB, TTrace>(
+    private static Double3 Support<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref TTrace trace,
         ref Simplex ends, int slot)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
         MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends, slot, out Double3 w);

@@ -88,3 +88,27 @@ internal struct SolverState
         Size.See(frame, onA, onB);
     }
 }
+
+/// <summary>What a solver can say about two cores; <see cref="GjkStatus"/> is what a query says about two
+/// shapes.</summary>
+internal enum Verdict : byte
+{
+    /// <summary>Rounding leaves it open, or the iterations ran out.</summary>
+    Undecided,
+
+    /// <summary>The cores are apart; the nearest feature and a plane that meets it are known.</summary>
+    Apart,
+
+    /// <summary>The cores share a point; of a search for the depth, its bounds have met.</summary>
+    Enclosed,
+
+    /// <summary>A plane proves that the cores are further apart than asked.</summary>
+    Beyond,
+
+    /// <summary>A support function contradicted itself or gave NaN.</summary>
+    Contradiction,
+
+    /// <summary>The Minkowski difference has no inside: it is flat, a segment or a point. For searches of the depth
+    /// alone.</summary>
+    Flat,
+}

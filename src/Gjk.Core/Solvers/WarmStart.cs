@@ -29,27 +29,20 @@ public struct WarmStart
         return squared > 0 && squared <= LongestNormal ? normal : frame.FirstNormal;
     }
 
-    /// <summary>Puts the remembered vertices, as they are now, into the empty simplex; leaves it empty when the shapes
-    /// no longer have them.</summary>
-    internal readonly void Restore<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref Simplex simplex)
+    /// <summary>Puts the remembered vertices, as they are now, and the first search direction into a state without
+    /// vertices; the direction alone when the shapes no longer have them.</summary>
+    internal readonly void Begin<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         // A stray count is only a wrong guess.
         int count = (uint)_count <= 4u ? _count : 0;
+        ref Simplex simplex = ref state.Simplex;
         bool found = count > 0 && MinkowskiDifference.TryPlace(ref a, ref b, frame, _a0, _b0, ref simplex, 0);
         if (count > 1) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a1, _b1, ref simplex, 1);
         if (count > 2) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a2, _b2, ref simplex, 2);
         if (count > 3) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a3, _b3, ref simplex, 3);
         if (found) simplex.Select(count, 0, 1, 2, 3);
-    }
-
-    /// <summary>Puts the remembered vertices and the first search direction into a state without vertices.</summary>
-    internal readonly void Begin<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        Restore(ref a, ref b, frame, ref state.Simplex);
         state.Feature.Normal = FirstNormal(frame);
     }
 

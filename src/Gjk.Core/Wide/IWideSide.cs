@@ -103,12 +103,9 @@ internal struct WideSegments : IWideSide
     {
         shape.Get(out _cores[lane]);
         if (lane < 3) return;
-        _first = WideVector.Transpose(
-            _cores[0].Lanes(0), _cores[1].Lanes(0), _cores[2].Lanes(0), _cores[3].Lanes(0));
-        _second = WideVector.Transpose(
-            _cores[0].Lanes(1), _cores[1].Lanes(1), _cores[2].Lanes(1), _cores[3].Lanes(1));
-        _toFirst = WideVector.Transpose(
-            _cores[0].ToFirst, _cores[1].ToFirst, _cores[2].ToFirst, _cores[3].ToFirst);
+        _first = WideVector.Transpose(_cores[0].Lanes(0), _cores[1].Lanes(0), _cores[2].Lanes(0), _cores[3].Lanes(0));
+        _second = WideVector.Transpose(_cores[0].Lanes(1), _cores[1].Lanes(1), _cores[2].Lanes(1), _cores[3].Lanes(1));
+        _toFirst = WideVector.Transpose(_cores[0].ToFirst, _cores[1].ToFirst, _cores[2].ToFirst, _cores[3].ToFirst);
     }
 
     public WideVector Support(in WideVector direction, uint live, out Vector256<long> slots)

@@ -90,8 +90,7 @@ internal static unsafe class WideFinish
         Lanes va = WideVector.Dot(b, cd), vb = -WideVector.Dot(a, cd);
         Lanes vc = WideVector.Dot(a, WideVector.Cross(b, d)), vd = -WideVector.Dot(a, WideVector.Cross(b, c));
         Lanes sum = va + vb + vc + vd, turn = SignOf(sum);
-        Lanes least = Vector256.Min(
-            Vector256.Min(va * turn, vb * turn), Vector256.Min(vc * turn, vd * turn));
+        Lanes least = Vector256.Min(Vector256.Min(va * turn, vb * turn), Vector256.Min(vc * turn, vd * turn));
         Lanes size = a.LengthSquared + b.LengthSquared + c.LengthSquared + d.LengthSquared, cube = size * size * size;
         Lanes clear = Vector256.GreaterThan(least, Lanes.Zero)
             & Vector256.GreaterThan(least * least, Vector256.Create(ClosestPointWeights.ClearVolumeSquared) * cube)

@@ -84,8 +84,7 @@ internal static class WideStep
         Lanes toAbc = Vector256.ConditionalSelect(abc, DistanceSquared(s.W, s.A, s.B), infinity);
         Lanes toAcd = Vector256.ConditionalSelect(acd, DistanceSquared(s.W, s.B, s.C), infinity);
         Lanes toAdb = Vector256.ConditionalSelect(adb, DistanceSquared(s.W, s.C, s.A), infinity);
-        Lanes first = Vector256.AndNot(
-            abc, Vector256.LessThan(toAcd, toAbc) | Vector256.LessThan(toAdb, toAbc));
+        Lanes first = Vector256.AndNot(abc, Vector256.LessThan(toAcd, toAbc) | Vector256.LessThan(toAdb, toAbc));
         Lanes second = Vector256.AndNot(Vector256.AndNot(acd, Vector256.LessThan(toAdb, toAcd)), first);
         abc = Vector256.ConditionalSelect(several, first, abc);
         acd = Vector256.ConditionalSelect(several, second, acd);

@@ -5,18 +5,12 @@ namespace Gjk.Core;
 
 /// <summary>The rotations of four cores in the frames of their shapes; every operation is that of
 /// <see cref="QuaternionD"/>.</summary>
-internal readonly struct WideTurn
+internal readonly struct WideTurn(in QuaternionD a, in QuaternionD b, in QuaternionD c, in QuaternionD d)
 {
-    private readonly Lanes _w;
-    private readonly WideVector _u;
-
-    private WideTurn(in QuaternionD a, in QuaternionD b, in QuaternionD c, in QuaternionD d)
-    {
-        _u = new WideVector(
-            Vector256.Create(a.X, b.X, c.X, d.X), Vector256.Create(a.Y, b.Y, c.Y, d.Y),
-            Vector256.Create(a.Z, b.Z, c.Z, d.Z));
-        _w = Vector256.Create(a.W, b.W, c.W, d.W);
-    }
+    private readonly Lanes _w = Vector256.Create(a.W, b.W, c.W, d.W);
+    private readonly WideVector _u = new(
+        Vector256.Create(a.X, b.X, c.X, d.X), Vector256.Create(a.Y, b.Y, c.Y, d.Y),
+        Vector256.Create(a.Z, b.Z, c.Z, d.Z));
 
     /// <summary>Those of four shapes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

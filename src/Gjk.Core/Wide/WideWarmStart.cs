@@ -28,7 +28,7 @@ internal static unsafe class WideWarmStart
         s.NormalSquared = s.Normal.LengthSquared;
     }
 
-    /// <summary>Places the remembered vertices where they are now: as <see cref="WarmStart.Restore"/> and what follows
+    /// <summary>Places the remembered vertices where they are now: as <see cref="WarmStart.Begin"/> and what follows
     /// it. There are four in each lane, or one to three.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Restore<TA, TB>(ref TA a, ref TB b, ref WarmStart starts, int* index, ref WidePairs s)
@@ -109,8 +109,7 @@ internal static unsafe class WideWarmStart
 
     /// <summary>Remembers where the lanes that have their results ended: as <see cref="WarmStart.Store"/>.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    public static void Store<TA, TB>(
-        ref TA a, ref TB b, in WidePairs s, uint done, int* index, ref WarmStart starts)
+    public static void Store<TA, TB>(ref TA a, ref TB b, in WidePairs s, uint done, int* index, ref WarmStart starts)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {

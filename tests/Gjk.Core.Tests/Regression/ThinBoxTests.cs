@@ -54,7 +54,7 @@ public class ThinBoxTests
         for (int frame = 0; frame < 64; frame++)
         {
             phase.Move(0, Plate(-0.1f * frame));
-            if (phase.Leaves.WaitingCount > 0) placed++;
+            if (phase.Leaves.Unplaced.Count > 0) placed++;
             phase.CollectPairs(0, pairs);
         }
 

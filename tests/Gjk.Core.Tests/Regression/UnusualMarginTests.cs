@@ -80,9 +80,9 @@ public class UnusualMarginTests
             Assert.InRange(Visits - before, 1, Objects / 2);
         }
 
-        Assert.InRange(_phase.Pairs.WaitingCount, 1, Objects);
+        Assert.InRange(_phase.Pairs.Unpaired.Count, 1, Objects);
         Ask(0);
-        Assert.Equal(0, _phase.Pairs.WaitingCount);
+        Assert.Equal(0, _phase.Pairs.Unpaired.Count);
     }
 
     private void Ask(float margin, int? expected = null)

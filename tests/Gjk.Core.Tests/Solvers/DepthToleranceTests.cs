@@ -68,8 +68,8 @@ public class DepthToleranceTests
         PairFrame.Compose(ref block, RigidPose.Identity, ref point, RigidPose.Identity, out PairFrame frame);
         SolverState.Begin<Block, PointShape>(frame, out SolverState state);
         NoPolytopeTrace trace = default;
-        DepthVerdict verdict = GjkDepth.Solve(ref block, ref point, frame, ref state, ref trace);
-        Assert.Equal(isFlat, verdict == DepthVerdict.Flat);
+        Verdict verdict = GjkDepth<Block, PointShape>.Solve(ref block, ref point, frame, ref state, ref trace);
+        Assert.Equal(isFlat, verdict == Verdict.Flat);
     }
 
     /// <summary>A box that is tilted on a larger one: its deepest edge is where they touch, or, if it hardly rises, the

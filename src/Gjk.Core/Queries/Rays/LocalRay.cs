@@ -41,8 +41,7 @@ internal struct LocalRay
     /// <param name="ray">The ray.</param>
     /// <returns>False where the origin is too far away for double.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool TryMake(
-        in Double3 between, in Double3 direction, double length, double radius, out LocalRay ray)
+    public static bool TryMake(in Double3 between, in Double3 direction, double length, double radius, out LocalRay ray)
     {
         ray.Direction = direction * (1 / length);
         ray.Shift = -Double3.Dot(between, ray.Direction);

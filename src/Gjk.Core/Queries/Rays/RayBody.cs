@@ -82,8 +82,7 @@ internal static class RayBody
             case FormKind.Hull when form.Hull!.Planes is not null:
                 return RayHull.Find(ray.Foot, ray.Direction, form.Hull, form.Hull.Planes, out span);
             case FormKind.Segment when form.Radius > 0:
-                isFound = RayCapsule.TryFind(
-                    ray.Foot, ray.Direction, form.A, form.B, form.Radius, out span);
+                isFound = RayCapsule.TryFind(ray.Foot, ray.Direction, form.A, form.B, form.Radius, out span);
                 break;
             case FormKind.Cylinder when size.X > 0:
                 isFound = RayCylinder.TryFind(ray.Foot, ray.Direction, size.X, size.Y, out span);
@@ -112,6 +111,5 @@ internal static class RayBody
 
     /// <summary>Whether the line runs along the base of a cone, or an end of a cylinder.</summary>
     private static bool IsAlongCap(in LocalRay ray, in Double3 size) =>
-        RayGraze.IsAlongSlab(
-            size.Y, ray.Foot.Y, ray.Direction.Y, RayGraze.LengthOf(ray.Direction), size.X + size.Y);
+        RayGraze.IsAlongSlab(size.Y, ray.Foot.Y, ray.Direction.Y, RayGraze.LengthOf(ray.Direction), size.X + size.Y);
 }

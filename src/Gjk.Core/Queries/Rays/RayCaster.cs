@@ -115,8 +115,7 @@ internal static class RayCaster
         RotationD.Set(out rotation, q.X, q.Y, q.Z, q.W, turn);
         Double3 local = rotation.InverseRotate(between) - center;
         double offset = center.SumOfMagnitudes;
-        bool isNear = LocalRay.TryMake(
-            local, rotation.InverseRotate(line.Direction), line.Length, radius, out ray)
+        bool isNear = LocalRay.TryMake(local, rotation.InverseRotate(line.Direction), line.Length, radius, out ray)
             && offset <= PairFrame.FarCenter * radius;
         double reach = radius + FootError * (between.SumOfMagnitudes + offset);
         bool isMiss = ray.Foot.LengthSquared > reach * reach || ray.Shift < -reach || ray.Shift - reach > line.Reach;

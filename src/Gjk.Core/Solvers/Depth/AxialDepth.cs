@@ -13,14 +13,16 @@ namespace Gjk.Core;
 /// too: turned about its own axis, a body is the same, so a point of A - B is followed from plane to plane, and what is
 /// left of its movement is small. The chords of the points that follow give the bound; a leaning body's way out is
 /// never taken to be in a known plane.</para>
-/// <para>The general search (<see cref="GjkDepth"/>) proves the same with a surface of triangles. About a common axis
+/// <para>The general search (<c>GjkDepth</c>) proves the same with a surface of triangles. About a common axis
 /// it needs thousands of them, since all directions around it are equally good.</para>
 /// <para>It terminates because a support point lies above its chord by more than the noise, so that a curve of A - B is
-/// cut into finitely many pieces, and because supports are counted. Verdicts: Found when the bounds met and Apart as
+/// cut into finitely many pieces, and because supports are counted. Verdicts: Enclosed when the bounds met and Apart as
 /// those of the general search; Contradiction when a support was NaN or lay below its chord; Undecided hands over to
 /// it, where the shapes touch by rounding or the supports are spent.</para>
 /// </remarks>
-internal static unsafe class AxialDepth
+internal static unsafe class AxialDepth<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Length: what may be left between the bounds. Balls about one centre need a support for every root of
     /// it. Pinned by CoaxialDepthTests.</summary>
@@ -41,74 +43,62 @@ internal static unsafe class AxialDepth
     private const int MostWaiting = 64;
 
     /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
-    public static DepthVerdict Solve<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in WayOut plane, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static Verdict Solve(ref TA a, ref TB b, in PairFrame frame, in WayOut plane, ref SolverState state)
     {
         int before = state.Iterations;
         DepthBounds depth = DepthBounds.None;
-        DepthVerdict verdict = Turn(ref a, ref b, frame, plane, ref state, ref depth);
+        Verdict verdict = Turn(ref a, ref b, frame, plane, ref state, ref depth);
         return End(ref a, ref b, frame, depth, verdict, before, ref state);
     }
 
     /// <summary>Writes what was found into the state; Undecided hands over.</summary>
-    public static DepthVerdict End<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in DepthBounds depth, DepthVerdict verdict, int before,
+    public static Verdict End(
+        ref TA a, ref TB b, in PairFrame frame, in DepthBounds depth, Verdict verdict, int before,
         ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
-        if (verdict == DepthVerdict.Found && !(depth.Above > band)) verdict = DepthVerdict.Undecided;
-        if (verdict == DepthVerdict.Undecided) state.Iterations = before;
-        else verdict = DepthEnd.Settle(ref a, ref b, frame, depth, verdict, ref state);
+        if (verdict == Verdict.Enclosed && !(depth.Above > band)) verdict = Verdict.Undecided;
+        if (verdict == Verdict.Undecided) state.Iterations = before;
+        else verdict = depth.End(ref a, ref b, frame, verdict, ref state);
         return verdict;
     }
 
     /// <summary>Looks at a known direction, or at half a circle of them.</summary>
-    public static DepthVerdict Look<TA, TB>(
+    public static Verdict Look(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, int limit, ref SolverState state,
-        ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap =>
+        ref DepthBounds depth) =>
         way.IsDirection ? Look(ref a, ref b, frame, way, ref state, ref depth)
             : Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
 
     /// <summary>The direction is known.</summary>
-    private static DepthVerdict Look<TA, TB>(
+    private static Verdict Look(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Look(ref a, ref b, frame, way, 1, 0, ref state, ref depth);
-        return !(depth.Above <= double.MaxValue) ? DepthVerdict.Contradiction
-            : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Found;
+        return depth.VerdictOr(state, Verdict.Enclosed);
     }
 
     /// <summary>Looks at a known direction, or searches the plane, or where the bodies are only nearly coaxial one
     /// plane after the other all around the axis: each proves those beside it as far as the slope lets it, and how ways
     /// out change where it is.</summary>
-    public static DepthVerdict Turn<TA, TB>(
+    public static Verdict Turn(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         if (way.IsDirection) return Look(ref a, ref b, frame, way, ref state, ref depth);
         int limit = state.Iterations + MostSupports;
-        DepthVerdict verdict = Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
+        Verdict verdict = Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
         int finest = Math.Min(limit, state.Iterations + MostFiner);
-        if (!(way.Slope > 0) && verdict == DepthVerdict.Found)
+        if (!(way.Slope > 0) && verdict == Verdict.Enclosed)
             Walk(ref a, ref b, frame, way, 0, GjkTolerances.NormalNoise, finest, ref state, ref depth);
         double angle = 0, half = Math.PI / 4, known = double.PositiveInfinity, noise = Noise * state.Size.Value;
-        while (way.Slope > 0 && angle < 2 * Math.PI && verdict == DepthVerdict.Found)
+        while (way.Slope > 0 && angle < 2 * Math.PI && verdict == Verdict.Enclosed)
         {
             if (depth.Above < known - noise) Descend(ref a, ref b, frame, way, ref state, ref depth);
             known = depth.Above;
             WayOut plane = way.Turned(angle + half);
             verdict = Walk(ref a, ref b, frame, plane, half, Noise, limit, ref state, ref depth);
-            bool isTooWide = verdict == DepthVerdict.Flat;
-            if (isTooWide) verdict = DepthVerdict.Found;
+            bool isTooWide = verdict == Verdict.Flat;
+            if (isTooWide) verdict = Verdict.Enclosed;
             else angle += 2 * half;
             half = isTooWide ? half / 2 : Math.Min(2 * half, Math.PI / 4);
         }
@@ -118,10 +108,8 @@ internal static unsafe class AxialDepth
 
     /// <summary>Looks for a shorter way out beside the shortest, around the axis and along it, in ever smaller steps:
     /// against one that is longer than it need be, only narrow planes could be proved.</summary>
-    private static void Descend<TA, TB>(
+    private static void Descend(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         for (double step = FirstStep; step > LastStep; step *= 0.5)
         {
@@ -140,23 +128,21 @@ internal static unsafe class AxialDepth
     /// <summary>Proves that every way out in a plane is longer than the shortest that was found, by as much as those in
     /// the planes beside it may be shorter.</summary>
     /// <returns>Flat where one is not.</returns>
-    private static DepthVerdict Walk<TA, TB>(
+    private static Verdict Walk(
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double half, double noise, int limit,
         ref SolverState state, ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         AxialSide* waiting = stackalloc AxialSide[MostWaiting];
         AxialSide begin = Look(ref a, ref b, frame, plane, 0, -1, ref state, ref depth), south = begin;
         waiting[1] = Look(ref a, ref b, frame, plane, 1, 0, ref state, ref depth);
         waiting[0] = Look(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
-        if (!(depth.Above <= double.MaxValue)) return DepthVerdict.Contradiction;
+        if (!(depth.Above <= double.MaxValue)) return Verdict.Contradiction;
         int count = 2;
         noise *= state.Size.Value;
         double contradiction = GjkTolerances.Contradiction * state.Size.Value;
         while (count > 0)
         {
-            if (depth.IsApart(state)) return DepthVerdict.Apart;
+            if (depth.IsApart(state)) return Verdict.Apart;
             AxialSide end = waiting[count - 1];
             bool isChord = begin.TryGetChord(end, out double x, out double y, out double height);
             bool isProved = half > 0
@@ -164,11 +150,11 @@ internal static unsafe class AxialDepth
                 : !isChord || height >= depth.Above - noise;
             if (!isProved)
             {
-                if (count == MostWaiting || state.Iterations >= limit) return DepthVerdict.Undecided;
+                if (count == MostWaiting || state.Iterations >= limit) return Verdict.Undecided;
                 if (isChord)
                 {
                     AxialSide between = Look(ref a, ref b, frame, plane, x, y, ref state, ref depth);
-                    if (!(between.Height - height >= -contradiction)) return DepthVerdict.Contradiction;
+                    if (!(between.Height - height >= -contradiction)) return Verdict.Contradiction;
                     if (between.Height - height > noise)
                     {
                         waiting[count++] = between;
@@ -177,7 +163,7 @@ internal static unsafe class AxialDepth
                 }
 
                 if (half > 0 && !begin.IsProved(end, half, plane.Slope, depth.Above - 2 * noise))
-                    return DepthVerdict.Flat;
+                    return Verdict.Flat;
             }
 
             begin = end;
@@ -186,14 +172,12 @@ internal static unsafe class AxialDepth
 
         bool isAlong = south.IsHigh(half, plane.Slope, depth.Above - noise)
             && begin.IsHigh(half, plane.Slope, depth.Above - noise);
-        return isAlong ? DepthVerdict.Found : DepthVerdict.Flat;
+        return isAlong ? Verdict.Enclosed : Verdict.Flat;
     }
 
-    private static AxialSide Look<TA, TB>(
+    private static AxialSide Look(
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double across, double along, ref SolverState state,
         ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Simplex.Begin(out Simplex simplex);
         Double3 normal = plane.At(across, along), w = Support(ref a, ref b, frame, normal, ref state, ref simplex);
@@ -201,22 +185,91 @@ internal static unsafe class AxialDepth
         Double3 moved = default, bent = default;
         if (plane.Slope > 0)
         {
-            plane.Follow(
-                simplex.OnA(0), frame.Rotation.Rotate(simplex.OnB(0)), frame.Translation, out moved, out bent);
+            plane.Follow(simplex.OnA(0), frame.Rotation.Rotate(simplex.OnB(0)), frame.Translation, out moved, out bent);
         }
 
         return new AxialSide(plane, across, along, w, moved, bent);
     }
 
     /// <summary>The furthest point of A - B in a direction, which is counted.</summary>
-    public static Double3 Support<TA, TB>(
+    public static Double3 Support(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex simplex)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out Double3 w);
         state.Iterations++;
         if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, 0);
         return w;
+    }
+}
+
+/// <summary>A direction in a plane of <c>AxialDepth</c> and the furthest point in it, and how that moves as the
+/// plane turns.</summary>
+internal readonly struct AxialSide(
+    in WayOut plane, double x, double y, in Double3 point, in Double3 moved, in Double3 bent)
+{
+    /// <summary>The direction, of unit length.</summary>
+    public readonly double X = x, Y = y;
+
+    /// <summary>The point.</summary>
+    public readonly double PointX = Double3.Dot(plane.Across, point), PointY = Double3.Dot(plane.Axis, point);
+
+    /// <summary>How the point moves as the plane turns: the first derivative and the second.</summary>
+    private readonly double _movedX = Double3.Dot(plane.Across, moved), _movedY = Double3.Dot(plane.Axis, moved),
+        _bentX = Double3.Dot(plane.Across, bent), _bentY = Double3.Dot(plane.Axis, bent);
+
+    /// <summary>What the way out in the direction costs.</summary>
+    public double Height => X * PointX + Y * PointY;
+
+    /// <summary>Whether no way out across the line through two points is shorter than that, in this plane and in those
+    /// that are turned against it by up to an angle.</summary>
+    /// <remarks>The furthest of points that follow each other around the axis is least across one of the lines between
+    /// them. As planes turn, the points p + δ v and q + δ u (<see cref="WayOut.Follow"/>) span a line that is p × q /
+    /// |q - p| from the origin, of which the product is a polynomial and the length no more than one.</remarks>
+    /// <param name="next">The side at the other end.</param>
+    /// <param name="half">The angle.</param>
+    /// <param name="slope">How fast a way out changes at most.</param>
+    /// <param name="least">How long.</param>
+    public bool IsProved(in AxialSide next, double half, double slope, double least)
+    {
+        double dx = next.PointX - PointX, dy = next.PointY - PointY, length = Math.Sqrt(dx * dx + dy * dy);
+        if (length == 0) return true;
+        double ux = next._movedX - _movedX, uy = next._movedY - _movedY, moved = Math.Sqrt(ux * ux + uy * uy);
+        least += Rest(next, half, slope, moved / length);
+        double over = PointX * next.PointY - PointY * next.PointX - least * length;
+        double first = PointX * next._movedY - PointY * next._movedX + _movedX * next.PointY
+            - _movedY * next.PointX - least * (dx * ux + dy * uy) / length;
+        double second = _movedX * next._movedY - _movedY * next._movedX - least * 0.5 * moved * moved / length;
+        return over >= half * (Math.Abs(first) + half * Math.Abs(second));
+    }
+
+    /// <summary>Whether the way out in the direction is no shorter than that, in all these planes.</summary>
+    public bool IsHigh(double half, double slope, double least) =>
+        Height - half * Math.Abs(X * _movedX + Y * _movedY) >= least + Rest(this, half, slope, 0);
+
+    /// <summary>What the second and the third term of the points' movement can take from a way out between two
+    /// directions, and as far beside them as these turn. A unit vector between them is a sum of both with weights of up
+    /// to one over the cosine of half their angle.</summary>
+    private double Rest(in AxialSide next, double half, double slope, double turn)
+    {
+        double scale = 0.5 / Math.Sqrt(Math.Max(0.5 + 0.5 * (X * next.X + Y * next.Y), 0));
+        double bent = Math.Max(Bent(next), next.Bent(this)) * scale;
+        return half * half * Math.Min(slope, bent + slope * half * (2.0 / 3 + turn));
+    }
+
+    /// <summary>The second derivative of the way out to this point, in this direction or the other one.</summary>
+    private double Bent(in AxialSide other) =>
+        Math.Max(Math.Abs(X * _bentX + Y * _bentY), Math.Abs(other.X * _bentX + other.Y * _bentY));
+
+    /// <summary>The direction across the chord to the next side's point, and the chord's height along it.</summary>
+    /// <returns>False where that is not between the two: no direction there is better than both.</returns>
+    public bool TryGetChord(in AxialSide next, out double x, out double y, out double height)
+    {
+        x = next.PointY - PointY;
+        y = PointX - next.PointX;
+        double squared = x * x + y * y, scale = squared > 0 ? 1 / Math.Sqrt(squared) : 0;
+        x *= scale;
+        y *= scale;
+        height = Math.Min(x * PointX + y * PointY, x * next.PointX + y * next.PointY);
+        return X * y - Y * x > 0 && x * next.Y - y * next.X > 0;
     }
 }

@@ -48,8 +48,7 @@ internal static unsafe class BoxAxes
 
     /// <summary>How far B must move along each axis, on its side, to leave A behind, times the axis's length; and the
     /// squared lengths of the axes across edges, which are unit vectors of A times those of B.</summary>
-    public static void Find(
-        in Double3 halfA, in Double3 halfB, in PairFrame frame, double* costs, double* squares)
+    public static void Find(in Double3 halfA, in Double3 halfB, in PairFrame frame, double* costs, double* squares)
     {
 #if NET
         Find(

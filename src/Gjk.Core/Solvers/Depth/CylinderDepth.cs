@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>How deep a body lies that is well inside a cylinder: the shortest way out is along the cylinder's axis or
-/// across it. So two supports and a circle of directions tell it, where the general search (<see cref="GjkDepth"/>)
+/// across it. So two supports and a circle of directions tell it, where the general search (<c>GjkDepth</c>)
 /// would have to prove all directions.</summary>
 /// <remarks>
 /// <para>About the body lies a ball of radius r. From its centre it is p to an end of the cylinder and q to the side.
@@ -11,25 +11,24 @@ namespace Gjk.Core;
 /// right one where p and q are at least r, and the root of p² + q² at least r / sin(22.5°).</para>
 /// <para>Across the axis the body is a flat figure, and the way out is the cylinder's radius less the figure's distance
 /// from the axis: two points of it and a support give both bounds of that. Where the axis meets the figure, two half
-/// circles are searched like that of a pin in its hole (<see cref="AxialDepth"/>). Verdicts as there; Undecided also
+/// circles are searched like that of a pin in its hole (<c>AxialDepth</c>). Verdicts as there; Undecided also
 /// where the body is not well inside.</para>
 /// </remarks>
-internal static class CylinderDepth
+internal static class CylinderDepth<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Ratio: one over the square of the sine of 22.5 degrees, rounded up. Pinned by
     /// CylinderDepthTests.</summary>
     private const double WellInside = 6.8285;
 
     /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
-    public static DepthVerdict Solve<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static Verdict Solve(ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state)
     {
         double radiusA = frame.RadiusA - frame.MarginA, radiusB = frame.RadiusB - frame.MarginB;
         bool isA = radiusA > radiusB;
         ref readonly BodyForm body = ref (isA ? ref form.A : ref form.B);
-        if (!body.IsCylinder) return DepthVerdict.Undecided;
+        if (!body.IsCylinder) return Verdict.Undecided;
         Double3 axis = body.Axis * (1 / body.Axis.Length), aside = new PlaneBasis(axis).U;
         double end = isA ? Reach(ref a, axis) : Reach(ref b, axis), ball = isA ? radiusB : radiusA;
         double side = isA ? Reach(ref a, aside) : Reach(ref b, aside);
@@ -37,33 +36,31 @@ internal static class CylinderDepth
         end -= Math.Abs(Double3.Dot(axis, frame.Translation));
         double room = side - Double3.Cross(axis, frame.Translation).Length;
         if (!(end >= ball && room >= ball && end * end + room * room >= WellInside * ball * ball))
-            return DepthVerdict.Undecided;
+            return Verdict.Undecided;
         DepthBounds depth = DepthBounds.None;
         int before = state.Iterations;
-        AxialDepth.Turn(ref a, ref b, frame, WayOut.In(axis), ref state, ref depth);
-        DepthVerdict verdict = AxialDepth.Turn(ref a, ref b, frame, WayOut.In(-axis), ref state, ref depth);
+        AxialDepth<TA, TB>.Turn(ref a, ref b, frame, WayOut.In(axis), ref state, ref depth);
+        Verdict verdict = AxialDepth<TA, TB>.Turn(ref a, ref b, frame, WayOut.In(-axis), ref state, ref depth);
         WayOut around = WayOut.Along(axis, frame.Translation, 0, default, default);
         if (depth.Above > room && !TryAcross(ref a, ref b, frame, around, side, ref state, ref depth))
         {
-            for (int half = -1; half <= 1 && verdict == DepthVerdict.Found; half += 2)
+            for (int half = -1; half <= 1 && verdict == Verdict.Enclosed; half += 2)
             {
                 Double3 across = around.Across * half;
                 var way = WayOut.Along(Double3.Cross(axis, across), across, 0, default, default);
-                verdict = AxialDepth.Turn(ref a, ref b, frame, way, ref state, ref depth);
+                verdict = AxialDepth<TA, TB>.Turn(ref a, ref b, frame, way, ref state, ref depth);
             }
         }
 
-        return AxialDepth.End(ref a, ref b, frame, depth, verdict, before, ref state);
+        return AxialDepth<TA, TB>.End(ref a, ref b, frame, depth, verdict, before, ref state);
     }
 
     /// <summary>Looks for the way out across the axis where the body is beside that: the distance of a flat figure from
     /// a point (Gilbert, Johnson and Keerthi) by the nearer of two edges at each new corner. It ends, since each
     /// is nearer than the last; none is where the axis is inside, or where rounding ends it.</summary>
-    private static bool TryAcross<TA, TB>(
+    private static bool TryAcross(
         ref TA a, ref TB b, in PairFrame frame, in WayOut around, double side, ref SolverState state,
         ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Double3 axis = around.Axis, nearest = around.Across * Double3.Dot(around.Across, frame.Translation);
         Double3 first = nearest, second = nearest;
@@ -73,7 +70,7 @@ internal static class CylinderDepth
             if (!(length < known && length > GjkTolerances.DepthNoiseCurved * size)) return false;
             Double3 normal = nearest * (1 / length);
             Simplex.Begin(out Simplex simplex);
-            Double3 w = AxialDepth.Support(ref a, ref b, frame, normal, ref state, ref simplex);
+            Double3 w = AxialDepth<TA, TB>.Support(ref a, ref b, frame, normal, ref state, ref simplex);
             depth.See(normal, Double3.Dot(normal, w));
 
             // What rounding leaves along the axis would grow from corner to corner.

@@ -12,9 +12,11 @@ namespace Gjk.Core;
 /// whether its second half is being walked. As deep as the tree has been before, a cell is halved while it is small,
 /// since it can be expected to outgrow the room again, and what it knows of the other half is lost.</para>
 /// <para>It terminates because supports are counted. Verdicts: Enclosed, Apart and Contradiction as those of
-/// <see cref="GjkDepth"/>; Undecided when the supports are spent, or there was no room.</para>
+/// <c>GjkDepth</c>; Undecided when the supports are spent, or there was no room.</para>
 /// </remarks>
-internal static unsafe class DepthCells
+internal static unsafe class DepthCells<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Count: supports after which the bounds are given as they are; about two milliseconds. Pinned by
     /// HullDepthTests.</summary>
@@ -25,34 +27,27 @@ internal static unsafe class DepthCells
     private const int EarlyVertices = 32;
 
     /// <summary>Finds the depth from what the general search has left in the state.</summary>
-    public static DepthVerdict Solve<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static Verdict Solve(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
     {
         var depth = DepthBounds.Of(state);
-        DepthVerdict verdict = Search(ref a, ref b, frame, ref state, ref depth);
-        return DepthEnd.Settle(ref a, ref b, frame, depth, verdict, ref state);
+        Verdict verdict = Search(ref a, ref b, frame, ref state, ref depth);
+        return depth.End(ref a, ref b, frame, verdict, ref state);
     }
 
     /// <summary>Its stack is given back when it returns.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict Search<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    private static Verdict Search(ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref DepthBounds depth)
     {
         double* memory = stackalloc double[Polytope.Doubles];
         var polytope = new Polytope(memory);
-        DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
-        return verdict == DepthVerdict.Undecided
+        Verdict verdict = PolytopeStart<TA, TB>.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
+        return verdict == Verdict.Undecided
             ? Walk(ref a, ref b, frame, ref state, ref polytope, ref depth)
             : verdict;
     }
 
-    private static DepthVerdict Walk<TA, TB>(
+    private static Verdict Walk(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         ulong crossed = 0;
         int deepest = 0, limit = state.Iterations + MostSupports;
@@ -65,29 +60,29 @@ internal static unsafe class DepthCells
             {
                 int cut = polytope.CutCount - 1;
                 while (cut >= 0 && (crossed >> cut & 1) != 0) cut--;
-                if (cut < 0) return DepthVerdict.Found;
+                if (cut < 0) return Verdict.Enclosed;
                 crossed = (crossed | 1UL << cut) & ~(~0UL << cut << 1);
-                if (!polytope.TryCross(cut)) return DepthVerdict.Undecided;
+                if (!polytope.TryCross(cut)) return Verdict.Undecided;
                 continue;
             }
 
             if (!polytope.HasRoom || (polytope.CutCount < deepest && polytope.VertexCount >= EarlyVertices))
             {
-                if (polytope.CutCount == Polytope.MostCuts) return DepthVerdict.Undecided;
-                if (!polytope.TryCut(polytope.Halving(proved))) return DepthVerdict.Undecided;
+                if (polytope.CutCount == Polytope.MostCuts) return Verdict.Undecided;
+                if (!polytope.TryCut(polytope.Halving(proved))) return Verdict.Undecided;
                 deepest = Math.Max(deepest, polytope.CutCount);
                 continue;
             }
 
-            if (state.Iterations >= limit) return DepthVerdict.Undecided;
+            if (state.Iterations >= limit) return Verdict.Undecided;
             Double3 normal = polytope.Face(face).UnitNormal;
-            int vertex = PolytopeStart.Support(ref a, ref b, frame, normal, ref state, ref polytope);
+            int vertex = PolytopeStart<TA, TB>.Support(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Double3.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
             depth.See(normal, height);
-            if (depth.IsApart(state)) return DepthVerdict.Apart;
-            if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return DepthVerdict.Contradiction;
+            if (depth.IsApart(state)) return Verdict.Apart;
+            if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return Verdict.Contradiction;
             if (gap <= noise) polytope.DropLast();
-            else if (!polytope.TryExpand(face, vertex, double.NegativeInfinity)) return DepthVerdict.Undecided;
+            else if (!polytope.TryExpand(face, vertex, double.NegativeInfinity)) return Verdict.Undecided;
         }
     }
 

@@ -14,27 +14,26 @@ namespace Gjk.Core;
 /// <para>It terminates because each new vertex lies above the surface by more than the noise, and there is room for a
 /// fixed number. Of several ways that are equally short the one whose face is finished first is taken; no hardware and
 /// no thread changes which that is.</para>
-/// <para>Verdicts. Found: both bounds met. Apart: a plane separates the shapes by more than rounding could. Undecided:
-/// there was no room, and the bounds are what was found. Flat: A - B has no inside, so the depth is 0 if they touch.
-/// Contradiction: a support point was NaN, or lay behind one that the same support had given before.</para>
+/// <para>Verdicts. Enclosed: both bounds met. Apart: a plane separates the shapes by more than rounding could.
+/// Undecided: there was no room, and the bounds are what was found. Flat: A - B has no inside, so the depth is 0 if
+/// they touch. Contradiction: a support point was NaN, or lay behind one that the same support had given before.</para>
 /// </remarks>
-internal static unsafe class GjkDepth
+internal static unsafe class GjkDepth<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
     /// <remarks>Its stack is given back when it returns.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static DepthVerdict Solve<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static Verdict Solve<TTrace>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
         where TTrace : struct, IPolytopeTrace
     {
         double* memory = stackalloc double[Polytope.FirstDoubles];
         var polytope = new Polytope(memory, isFirst: true);
         DepthBounds depth = DepthBounds.None;
-        DepthVerdict verdict = PolytopeStart.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
+        Verdict verdict = PolytopeStart<TA, TB>.Build(ref a, ref b, frame, ref state, ref polytope, ref depth);
         bool isFiner = false;
-        if (verdict == DepthVerdict.Undecided)
+        if (verdict == Verdict.Undecided)
             return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref isFiner, ref trace);
         Tell(OutcomeOf(verdict), frame, polytope, -1, depth, ref trace);
         depth.Store(ref state, depth.Above);
@@ -43,11 +42,9 @@ internal static unsafe class GjkDepth
 
     /// <summary>The rest of a search that has outgrown its first room.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict ExpandFurther<TA, TB, TTrace>(
+    private static Verdict ExpandFurther<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
         ref bool isFiner, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         double* memory = stackalloc double[Polytope.Doubles];
@@ -57,11 +54,9 @@ internal static unsafe class GjkDepth
 
     /// <summary>Grows the surface until the bounds meet; of curved cores twice: to the promise of the depth, and where
     /// the way out does not end on a smooth point, to that of its direction.</summary>
-    private static DepthVerdict Expand<TA, TB, TTrace>(
+    private static Verdict Expand<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
         ref bool isFiner, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         int face = 0;
@@ -73,24 +68,24 @@ internal static unsafe class GjkDepth
             double scale = 1 / Math.Sqrt(polytope.Face(face).NormalSquared);
 
             // Supports in float make faces without area there; the state has the end where the bounds met before.
-            if (isFiner && !(scale <= double.MaxValue)) return DepthVerdict.Found;
+            if (isFiner && !(scale <= double.MaxValue)) return Verdict.Enclosed;
             double lowest = polytope.Face(face).Offset * scale;
             depth.Below = Math.Max(depth.Below, lowest);
-            int vertex = PolytopeStart.Support(ref a, ref b, frame, normal, ref state, ref polytope);
+            int vertex = PolytopeStart<TA, TB>.Support(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Double3.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;
             if (height < depth.Above) depth.Settle(normal * scale, height);
             if (depth.IsApart(state))
             {
                 Tell(PolytopeOutcome.Apart, frame, polytope, face, depth, ref trace);
                 depth.Store(ref state, depth.Above);
-                return DepthVerdict.Apart;
+                return Verdict.Apart;
             }
 
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value))
             {
-                if (isFiner) return DepthVerdict.Found;
+                if (isFiner) return Verdict.Enclosed;
                 Tell(PolytopeOutcome.Contradiction, frame, polytope, face, depth, ref trace);
-                return DepthVerdict.Contradiction;
+                return Verdict.Contradiction;
             }
 
             double finest = GjkTolerances.NormalNoise * state.Size.Value;
@@ -101,7 +96,8 @@ internal static unsafe class GjkDepth
                 if (hasMet) depth.Settle(normal * scale, height);
                 Settle(ref state, polytope, face, depth, depth.Above);
                 bool isFinest = !state.IsCurved || isFiner || gap <= finest;
-                if (isFinest || SmoothNormal.TryEnd(ref a, ref b, frame, depth, ref state)) return DepthVerdict.Found;
+                if (isFinest || SmoothNormal<TA, TB>.TryEnd(ref a, ref b, frame, depth, ref state))
+                    return Verdict.Enclosed;
                 isFiner = true;
             }
 
@@ -113,10 +109,10 @@ internal static unsafe class GjkDepth
             return ExpandFurther(ref a, ref b, frame, ref state, ref polytope, ref depth, ref isFiner, ref trace);
 
         // Where the bounds have met before, the state has that end.
-        if (isFiner) return DepthVerdict.Found;
+        if (isFiner) return Verdict.Enclosed;
         Tell(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);
         Settle(ref state, polytope, face, depth, Math.Max(depth.Below, 0));
-        return DepthVerdict.Undecided;
+        return Verdict.Undecided;
     }
 
     /// <summary>Length: a point that the surface has already lies above a face by rounding alone, as between faces that
@@ -144,7 +140,56 @@ internal static unsafe class GjkDepth
     }
 
     /// <summary>How a search without a surface ended.</summary>
-    private static PolytopeOutcome OutcomeOf(DepthVerdict verdict) =>
-        verdict == DepthVerdict.Apart ? PolytopeOutcome.Apart
-        : verdict == DepthVerdict.Flat ? PolytopeOutcome.Flat : PolytopeOutcome.Contradiction;
+    private static PolytopeOutcome OutcomeOf(Verdict verdict) =>
+        verdict == Verdict.Apart ? PolytopeOutcome.Apart
+        : verdict == Verdict.Flat ? PolytopeOutcome.Flat : PolytopeOutcome.Contradiction;
+}
+
+/// <summary>What an expanded polytope says about the end of the way out.</summary>
+internal static class PolytopeEnd
+{
+    /// <summary>The face that holds a point of the surface: where the way out ends, or the one that is nearest to it.
+    /// Any may be: those of a facet are turned against each other where needles are among them, and where margins are
+    /// deep and a core is thinner than they are rounded by, both of its sides cost the same.</summary>
+    /// <param name="polytope">The surface.</param>
+    /// <param name="best">A face in the plane of the facet, or near it.</param>
+    /// <param name="normal">The direction of the way out, of unit length.</param>
+    /// <param name="height">Its length.</param>
+    /// <param name="noise">Length: what rounding leaves open.</param>
+    public static int FaceUnder(in Polytope polytope, int best, in Double3 normal, double height, double noise)
+    {
+        Double3 point = normal * height;
+        double least = DistanceSquared(polytope, best, point);
+        for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
+        {
+            if (!polytope.IsThere(i)) continue;
+            double squared = DistanceSquared(polytope, i, point);
+            if (!(squared < least)) continue;
+            least = squared;
+            best = i;
+        }
+
+        return best;
+    }
+
+    /// <summary>Makes a simplex of a face's vertices.</summary>
+    public static unsafe void Copy(in Polytope polytope, int face, ref Simplex simplex)
+    {
+        for (int k = 0; k < 3; k++)
+        {
+            ref PolytopeVertex vertex = ref polytope.Vertex(polytope.Face(face).Vertices[k]);
+            simplex.Fill(k, vertex.W, vertex.OnA, vertex.OnB, vertex.IdA, vertex.IdB);
+        }
+
+        simplex.Select(3, 0, 1, 2, 0);
+    }
+
+    /// <summary>From the point to the face, squared.</summary>
+    private static unsafe double DistanceSquared(in Polytope polytope, int face, in Double3 point)
+    {
+        ref PolytopeFace f = ref polytope.Face(face);
+        Double3 p = polytope.Vertex(f.Vertices[0]).W - point, q = polytope.Vertex(f.Vertices[1]).W - point;
+        Double3 r = polytope.Vertex(f.Vertices[2]).W - point;
+        return ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default).LengthSquared;
+    }
 }

@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>How deep two hulls overlap, by the facets of their Minkowski difference (Gottschalk, Lin and Manocha 1996):
 /// the shortest way out is across a facet of A, a facet of B, or an edge of each.</summary>
 /// <remarks>
-/// <para>For hulls that have outgrown the general search (<see cref="GjkDepth"/>): nearly round ones about one centre,
+/// <para>For hulls that have outgrown the general search (<c>GjkDepth</c>): nearly round ones about one centre,
 /// where all ways out are nearly equally long. Nothing is built. A facet's way out costs its height and the other
 /// hull's extent against it, one support. An edge of A is across all directions of an arc, from the normal of the facet
 /// on its one side to that on its other side, and <see cref="HullArc"/> walks it.</para>
@@ -13,11 +13,13 @@ namespace Gjk.Core;
 /// <para>The poles of a sphere from sine and cosine are copies 1e-17 apart, and facets between them have no normal but
 /// rounding. Facets so thin that the depth is the same without them are left out, and so are corners on the line of an
 /// edge, which is walked from both sides then.</para>
-/// <para>It terminates because looks are counted. Verdicts: Found when every facet and arc was proved to be no cheaper
-/// than the cheapest way out, which a support of both hulls has confirmed; Apart as those of the general search;
-/// Undecided when the looks are spent, or rounding has led a walk astray.</para>
+/// <para>It terminates because looks are counted. Verdicts: Enclosed when every facet and arc was proved to be no
+/// cheaper than the cheapest way out, which a support of both hulls has confirmed; Apart as those of the general
+/// search; Undecided when the looks are spent, or rounding has led a walk astray.</para>
 /// </remarks>
-internal static class HullDepth
+internal static class HullDepth<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Count: triangles of both hulls; reading those of two spheres of 4,096 corners takes a fifth of a
     /// millisecond.</summary>
@@ -31,28 +33,21 @@ internal static class HullDepth
     private const int Sample = 8;
 
     /// <summary>Finds the depth from what the general search has left in the state.</summary>
-    public static DepthVerdict Solve<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static Verdict Solve(ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state)
     {
         if (!form.AreFaceted || form.A.TriangleCount + form.B.TriangleCount > MostTriangles)
-            return DepthVerdict.Undecided;
+            return Verdict.Undecided;
         var search = new FacetSearch(form, state, MostLooks);
         bool isProved = TryFacetsOfB(ref a, ref b, frame, form, ref search)
             && TryFacetsOfA(ref a, ref b, frame, form, ref search);
         state.Iterations += search.Supports;
-        search.Depth.Below = Math.Max(
-            search.Depth.Below, search.InnerA + search.InnerB - frame.Translation.Length);
-        DepthVerdict verdict = search.Depth.IsApart(state) ? DepthVerdict.Apart
-            : isProved ? DepthVerdict.Found : DepthVerdict.Undecided;
-        return DepthEnd.Settle(ref a, ref b, frame, search.Depth, verdict, ref state);
+        search.Depth.Below = Math.Max(search.Depth.Below, search.InnerA + search.InnerB - frame.Translation.Length);
+        Verdict verdict = search.Depth.IsApart(state) ? Verdict.Apart
+            : isProved ? Verdict.Enclosed : Verdict.Undecided;
+        return search.Depth.End(ref a, ref b, frame, verdict, ref state);
     }
 
-    private static bool TryFacetsOfB<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref FacetSearch search)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    private static bool TryFacetsOfB(ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref FacetSearch search)
     {
         Double3 offset = frame.Rotation.InverseRotate(frame.Translation);
         int count = form.B.TriangleCount, lines = 0;
@@ -77,10 +72,7 @@ internal static class HullDepth
         return IsLeft(count, lines);
     }
 
-    private static bool TryFacetsOfA<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref FacetSearch search)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    private static bool TryFacetsOfA(ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref FacetSearch search)
     {
         int count = form.A.TriangleCount, lines = 0;
         for (int i = 0; i < count; i++)
@@ -110,4 +102,112 @@ internal static class HullDepth
 
     /// <summary>Whether facets are left; a hull whose facets are all lines is none without them.</summary>
     private static bool IsLeft(int count, int lines) => lines < count || count == 0;
+}
+
+/// <summary>What a search over facets knows, and how much it may still do.</summary>
+internal struct FacetSearch(in PairForm form, in SolverState state, int looks)
+{
+    /// <summary>The cheapest way out.</summary>
+    public DepthBounds Depth = DepthBounds.Of(state);
+
+    /// <summary>Supports asked.</summary>
+    public int Supports = 0;
+
+    /// <summary>Balls of these radii about their centres are inside the shapes.</summary>
+    public readonly double InnerA = form.A.InnerRadius, InnerB = form.B.InnerRadius;
+
+    /// <summary>Length: what rounding does to a height.</summary>
+    public readonly double Noise = state.DepthNoise;
+
+    private int _looks = looks;
+
+    /// <summary>Whether nothing may be looked at any more.</summary>
+    public readonly bool AreSpent => _looks < 0;
+
+    /// <summary>What is as high is no cheaper than the cheapest way out, but for rounding.</summary>
+    public readonly double Limit => Depth.Above - Noise;
+
+    /// <summary>Takes note of a direction whose way out costs at least so much. Where that seems to be the least,
+    /// supports of both shapes say what it does cost.</summary>
+    /// <returns>False when the looks are spent, or the supports do not agree.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryLook<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, double height)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        if (--_looks < 0) return false;
+        Supports++;
+        if (height >= Depth.Above) return true;
+        Simplex.Begin(out Simplex simplex);
+        Double3 unit = normal * (1 / normal.Length);
+        MinkowskiDifference.Support(ref a, ref b, frame, -unit, ref simplex, 0, out Double3 w);
+        Depth.See(unit, Double3.Dot(unit, w));
+        return height >= Limit;
+    }
+}
+
+/// <summary>A triangle of a hull, as a shape scales it: wound so that its normal points outward.</summary>
+internal struct HullFacet
+{
+    /// <summary>Squared sine of the angle between two edges: a thinner triangle's normal is computed in 106 bits. Above
+    /// it, double turns a normal by less than 1e-13, and a height by less than that times the size. Four times more or
+    /// less only moves triangles from one to the other.</summary>
+    private const double Thin = 1e-4;
+
+    /// <summary>Ratio to a height: more than that. A facet that is higher than asked by less is looked at in
+    /// vain.</summary>
+    public const double Slack = 1e-11;
+
+    /// <summary>Squared ratio of lengths: a triangle that is thinner than that part of its distance from the shape's
+    /// centre is none. Its normal is the rounding of its corners, 1e-16, and may point anywhere; without it the depth
+    /// changes by no more. Four times more or less only moves triangles between the two. Pinned by
+    /// HullDepthTests.</summary>
+    private const double Line = 1e-24;
+
+    /// <summary>The corners, measured from the shape's centre.</summary>
+    public Double3 P, Q, R;
+
+    /// <summary>Outward, of any length.</summary>
+    public Double3 Normal;
+
+    /// <summary>The corners' ids.</summary>
+    public int IdP, IdQ, IdR;
+
+    /// <summary>Whether its corners are on a line, but for rounding.</summary>
+    public readonly bool HasNoArea =>
+        !(Normal.LengthSquared > LineSquared * Math.Max((Q - P).LengthSquared, (R - P).LengthSquared));
+
+    /// <summary>A square of a length: of what a corner's distance from a line has to be more than.</summary>
+    public readonly double LineSquared => Line * Math.Max(P.LengthSquared, (Q - P).LengthSquared);
+
+    /// <summary>Reads a triangle of a shape that is a hull.</summary>
+    public static void Get<T>(ref T shape, in BodyForm form, int index, out HullFacet facet)
+        where T : struct, ISupportMap
+    {
+        int[] triangles = form.Hull!.Triangles;
+        facet.IdP = triangles[3 * index];
+        facet.IdQ = triangles[3 * index + (form.IsMirrored ? 2 : 1)];
+        facet.IdR = triangles[3 * index + (form.IsMirrored ? 1 : 2)];
+        shape.TryGetVertex(facet.IdP, out facet.P);
+        shape.TryGetVertex(facet.IdQ, out facet.Q);
+        shape.TryGetVertex(facet.IdR, out facet.R);
+        Double3 e = facet.Q - facet.P, f = facet.R - facet.P;
+        facet.Normal = Double3.Cross(e, f);
+        if (facet.Normal.LengthSquared > Thin * (e.LengthSquared * f.LengthSquared)) return;
+        facet.Normal = VectorDD.Normal(facet.P, facet.Q, facet.R);
+    }
+
+    /// <summary>Whether its plane is certainly as high as that, measured from a point along the normal.</summary>
+    public readonly bool IsAbove(in Double3 point, double height)
+    {
+        double over = Double3.Dot(Normal, P - point);
+        return height > 0 && over > 0 && over * over >= height * height * (1 + 2 * Slack) * Normal.LengthSquared;
+    }
+
+    /// <summary>Makes the second corner the first.</summary>
+    public void Turn()
+    {
+        (P, Q, R) = (Q, R, P);
+        (IdP, IdQ, IdR) = (IdQ, IdR, IdP);
+    }
 }

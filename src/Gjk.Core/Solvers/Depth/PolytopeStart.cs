@@ -4,14 +4,14 @@ namespace Gjk.Core;
 /// first along the line through the centres; or the triangle that a warm start remembers, and one point more.</summary>
 /// <remarks>Each point is looked for on both sides of what there is, the side of the origin first. Where A - B has less
 /// extent than rounding leaves certain, it is flat, and the cheapest direction seen on the way is across it.</remarks>
-internal static unsafe class PolytopeStart
+internal static unsafe class PolytopeStart<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Makes the surface a tetrahedron, and notes what the directions cost.</summary>
     /// <returns>Undecided, Flat, Apart or Contradiction.</returns>
-    public static DepthVerdict Build<TA, TB>(
+    public static Verdict Build(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         if (!TryRemember(state, ref polytope))
         {
@@ -20,40 +20,35 @@ internal static unsafe class PolytopeStart
                 && !TryPair(ref a, ref b, frame, new Double3(1, 0, 0), ref state, ref polytope, ref depth)
                 && !TryPair(ref a, ref b, frame, new Double3(0, 1, 0), ref state, ref polytope, ref depth)
                 && !TryPair(ref a, ref b, frame, new Double3(0, 0, 1), ref state, ref polytope, ref depth))
-            {
-                return End(state, depth);
-            }
+                return depth.VerdictOr(state, Verdict.Flat);
 
-            if (depth.IsApart(state)) return DepthVerdict.Apart;
+            if (depth.IsApart(state)) return Verdict.Apart;
             Double3 p = polytope.Vertex(0).W, along = polytope.Vertex(1).W - p;
             Double3 toOrigin = along * (Double3.Dot(p, along) / along.LengthSquared) - p;
             Double3 across = Across(along, toOrigin);
             if (!TryAdd(ref a, ref b, frame, across, ref state, ref polytope, ref depth)
                 && !TryAdd(ref a, ref b, frame, Double3.Cross(along, across), ref state, ref polytope, ref depth))
-            {
-                return End(state, depth);
-            }
+                return depth.VerdictOr(state, Verdict.Flat);
 
-            if (depth.IsApart(state)) return DepthVerdict.Apart;
+            if (depth.IsApart(state)) return Verdict.Apart;
         }
 
         Double3 corner = polytope.Vertex(0).W;
         Double3 normal = Normal(corner, polytope.Vertex(1).W, polytope.Vertex(2).W, state);
         if (Double3.Dot(normal, corner) > 0) normal = -normal;
-        if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth)) return End(state, depth);
-        if (depth.IsApart(state)) return DepthVerdict.Apart;
+        if (!TryAdd(ref a, ref b, frame, normal, ref state, ref polytope, ref depth))
+            return depth.VerdictOr(state, Verdict.Flat);
+        if (depth.IsApart(state)) return Verdict.Apart;
         double size = state.Size.Value;
         return polytope.TrySetTetrahedron(GjkTolerances.Noise * size, GjkTolerances.DepthLevel * size)
-            ? DepthVerdict.Undecided
-            : End(state, depth);
+            ? Verdict.Undecided
+            : depth.VerdictOr(state, Verdict.Flat);
     }
 
     /// <summary>Adds the point of A - B that is furthest in a direction; returns its index.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Support<TA, TB>(
+    public static int Support(
         ref TA a, ref TB b, in PairFrame frame, in Double3 direction, ref SolverState state, ref Polytope polytope)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         state.Iterations++;
         PolytopeVertex* vertex = polytope.Add(out int added);
@@ -79,11 +74,9 @@ internal static unsafe class PolytopeStart
     }
 
     /// <summary>The two points that are furthest apart along a direction.</summary>
-    private static bool TryPair<TA, TB>(
+    private static bool TryPair(
         ref TA a, ref TB b, in PairFrame frame, in Double3 direction, ref SolverState state, ref Polytope polytope,
         ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Double3 unit = direction * (1 / direction.Length);
         int first = See(ref a, ref b, frame, unit, ref state, ref polytope, ref depth);
@@ -96,28 +89,25 @@ internal static unsafe class PolytopeStart
     }
 
     /// <summary>The furthest point in a direction, or against it, that is not level with the first point.</summary>
-    private static bool TryAdd<TA, TB>(
+    private static bool TryAdd(
         ref TA a, ref TB b, in PairFrame frame, in Double3 direction, ref SolverState state, ref Polytope polytope,
         ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Double3 unit = direction * (1 / direction.Length);
-        double level = Double3.Dot(unit, polytope.Vertex(0).W);
-        int added = See(ref a, ref b, frame, unit, ref state, ref polytope, ref depth);
-        if (Double3.Dot(unit, polytope.Vertex(added).W) - level > Flat(state)) return true;
-        polytope.DropLast();
-        added = See(ref a, ref b, frame, -unit, ref state, ref polytope, ref depth);
-        if (level - Double3.Dot(unit, polytope.Vertex(added).W) > Flat(state)) return true;
-        polytope.DropLast();
+        for (int side = 0; side < 2; side++, unit = -unit)
+        {
+            int added = See(ref a, ref b, frame, unit, ref state, ref polytope, ref depth);
+            double level = Double3.Dot(unit, polytope.Vertex(0).W);
+            if (Double3.Dot(unit, polytope.Vertex(added).W) - level > Flat(state)) return true;
+            polytope.DropLast();
+        }
+
         return false;
     }
 
-    private static int See<TA, TB>(
+    private static int See(
         ref TA a, ref TB b, in PairFrame frame, in Double3 unit, ref SolverState state, ref Polytope polytope,
         ref DepthBounds depth)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         int added = Support(ref a, ref b, frame, unit, ref state, ref polytope);
         depth.See(unit, Double3.Dot(unit, polytope.Vertex(added).W));
@@ -147,8 +137,4 @@ internal static unsafe class PolytopeStart
 
     /// <summary>Length: what is thinner is flat.</summary>
     private static double Flat(in SolverState state) => GjkTolerances.Flat * state.Size.Value;
-
-    private static DepthVerdict End(in SolverState state, in DepthBounds depth) =>
-        !(depth.Above <= double.MaxValue) ? DepthVerdict.Contradiction
-        : depth.IsApart(state) ? DepthVerdict.Apart : DepthVerdict.Flat;
 }

@@ -13,15 +13,15 @@ namespace Gjk.Core;
 /// feature has a height of 0 or less; Undecided means that there was no room, and the feature and the plane are the
 /// bounds.</para>
 /// </remarks>
-internal static class SignedSolver
+internal static class SignedSolver<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Solves from the warm start, if there is one, and keeps where it ended.</summary>
     /// <remarks>The trace is told of the search for the depth alone; <c>Explain</c> tells of the distance.</remarks>
-    public static void Solve<TA, TB, TTrace>(
+    public static void Solve<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
@@ -30,27 +30,22 @@ internal static class SignedSolver
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
         NoTrace untold = default;
-        SideNormal.Sharpen(ref a, ref b, frame, ref state, ref untold);
+        SideNormal<TA, TB>.Sharpen(ref a, ref b, frame, ref state, ref untold);
     }
 
-    private static void SolveDepthFirst<TA, TB, TTrace>(
+    private static void SolveDepthFirst<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         PairSize size = state.Size;
-        DepthVerdict depth = SolveDepth(ref a, ref b, frame, ref state, ref trace);
+        Verdict depth = SolveDepth(ref a, ref b, frame, ref state, ref trace);
 
         // Within the band either answer could be rounding.
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
-        bool isKnown = depth == DepthVerdict.Found || depth == DepthVerdict.Undecided;
-        if (depth == DepthVerdict.Contradiction || (isKnown && -state.Feature.Height > band))
-        {
-            Settle(ref state, depth);
-            return;
-        }
+        bool isKnown = depth == Verdict.Enclosed || depth == Verdict.Undecided;
+        state.Verdict = Signed(depth);
+        if (depth == Verdict.Contradiction || (isKnown && -state.Feature.Height > band)) return;
 
         // As if nothing had been asked before: the answer is that of the distance, bit for bit.
         ClosestFeature across = state.Feature;
@@ -63,14 +58,12 @@ internal static class SignedSolver
         ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
         if (state.Verdict != Verdict.Enclosed) return;
         Touch(ref state, across, above);
-        if (depth == DepthVerdict.Undecided && above > band) state.Verdict = Verdict.Undecided;
+        if (depth == Verdict.Undecided && above > band) state.Verdict = Verdict.Undecided;
     }
 
-    private static void SolveDistanceFirst<TA, TB, TTrace>(
+    private static void SolveDistanceFirst<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         NoTrace untold = default;
@@ -79,12 +72,9 @@ internal static class SignedSolver
         Simplex common = state.Simplex;
         Weights weights = state.Weights;
         state.Feature.Normal = frame.FirstNormal;
-        DepthVerdict depth = SolveDepth(ref a, ref b, frame, ref state, ref trace);
-        if (depth != DepthVerdict.Flat && depth != DepthVerdict.Apart)
-        {
-            Settle(ref state, depth);
-            return;
-        }
+        Verdict depth = SolveDepth(ref a, ref b, frame, ref state, ref trace);
+        state.Verdict = Signed(depth);
+        if (depth != Verdict.Flat && depth != Verdict.Apart) return;
 
         // The cores are flat, or only touch: all of the depth is that of the margins, across them.
         state.Simplex = common;
@@ -96,13 +86,11 @@ internal static class SignedSolver
 
     /// <summary>Asks the search that is made for the pair, or else the general one. The state gets the weights of the
     /// way's end where the depth is known.</summary>
-    private static DepthVerdict SolveDepth<TA, TB, TTrace>(
+    private static Verdict SolveDepth<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
-        var verdict = DepthVerdict.Undecided;
+        var verdict = Verdict.Undecided;
         if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == FormKind.Box
             && ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB) == FormKind.Box)
         {
@@ -112,52 +100,47 @@ internal static class SignedSolver
         else if (MayBeRound(ref a) && MayBeRound(ref b))
         {
             verdict = SolveRound(ref a, ref b, frame, ref state, ref trace);
-            if (verdict != DepthVerdict.Undecided) return verdict;
+            if (verdict != Verdict.Undecided) return verdict;
         }
 
-        if (verdict == DepthVerdict.Undecided) verdict = GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
-        if (verdict == DepthVerdict.Undecided) return SolveLarge(ref a, ref b, frame, ref state);
-        if (verdict == DepthVerdict.Found) state.Weights = ClosestPointWeights.Of(state.Simplex);
+        if (verdict == Verdict.Undecided) verdict = GjkDepth<TA, TB>.Solve(ref a, ref b, frame, ref state, ref trace);
+        if (verdict == Verdict.Undecided) return SolveLarge(ref a, ref b, frame, ref state);
+        if (verdict == Verdict.Enclosed) state.Weights = ClosestPointWeights.Of(state.Simplex);
         return verdict;
     }
 
     /// <summary>Round bodies with a known way out, or a plane that it lies in; Undecided for all others.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict SolveRound<TA, TB, TTrace>(
+    private static Verdict SolveRound<TTrace>(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
         where TTrace : struct, IPolytopeTrace
     {
         PairForm.Look(ref a, ref b, frame, out PairForm form);
         bool isExact = form.Way.IsKnown && form.Way.Slope == 0;
         SolverState before = trace.IsOn ? state : default;
-        DepthVerdict verdict = isExact
-            ? AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state)
-            : CylinderDepth.Solve(ref a, ref b, frame, form, ref state);
-        if (trace.IsOn && verdict != DepthVerdict.Undecided) Tell(ref a, ref b, frame, before, ref trace);
+        Verdict verdict = isExact
+            ? AxialDepth<TA, TB>.Solve(ref a, ref b, frame, form.Way, ref state)
+            : CylinderDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
+        if (trace.IsOn && verdict != Verdict.Undecided) Tell(ref a, ref b, frame, before, ref trace);
         return verdict;
     }
 
     /// <summary>What the general search has no room for.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static DepthVerdict SolveLarge<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    private static Verdict SolveLarge(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
     {
         PairForm.Look(ref a, ref b, frame, out PairForm form);
-        if (form.AreFaceted) return HullDepth.Solve(ref a, ref b, frame, form, ref state);
+        if (form.AreFaceted) return HullDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
         if (form.Way.Slope > 0)
         {
-            DepthVerdict leaning = AxialDepth.Solve(ref a, ref b, frame, form.Way, ref state);
-            if (leaning != DepthVerdict.Undecided) return leaning;
+            Verdict leaning = AxialDepth<TA, TB>.Solve(ref a, ref b, frame, form.Way, ref state);
+            if (leaning != Verdict.Undecided) return leaning;
         }
 
-        DepthVerdict verdict = CornerDepth.Solve(ref a, ref b, frame, form, ref state);
-        if (verdict == DepthVerdict.Undecided) verdict = DepthCells.Solve(ref a, ref b, frame, ref state);
-        if (state.IsCurved && verdict == DepthVerdict.Found
-            && SmoothNormal.TryEnd(ref a, ref b, frame, DepthBounds.Of(state), ref state))
+        Verdict verdict = CornerDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
+        if (verdict == Verdict.Undecided) verdict = DepthCells<TA, TB>.Solve(ref a, ref b, frame, ref state);
+        if (state.IsCurved && verdict == Verdict.Enclosed
+            && SmoothNormal<TA, TB>.TryEnd(ref a, ref b, frame, DepthBounds.Of(state), ref state))
             state.Weights = ClosestPointWeights.Of(state.Simplex);
         return verdict;
     }
@@ -171,35 +154,22 @@ internal static class SignedSolver
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Tell<TA, TB, TTrace>(
-        ref TA a, ref TB b, in PairFrame frame, SolverState state, ref TTrace trace)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    private static void Tell<TTrace>(ref TA a, ref TB b, in PairFrame frame, SolverState state, ref TTrace trace)
         where TTrace : struct, IPolytopeTrace =>
-        GjkDepth.Solve(ref a, ref b, frame, ref state, ref trace);
+        GjkDepth<TA, TB>.Solve(ref a, ref b, frame, ref state, ref trace);
 
     /// <summary>Puts the warm start's simplex and normal, or the cold query's, into the state.</summary>
-    private static void Begin<TA, TB>(
+    private static void Begin(
         ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         state.Simplex.Clear();
         if (isWarm) warmStart.Begin(ref a, ref b, frame, ref state);
         else state.Feature.Normal = frame.FirstNormal;
     }
 
-    /// <summary>The search for the depth has said all that there is to say.</summary>
-    private static void Settle(ref SolverState state, DepthVerdict depth)
-    {
-        if (depth == DepthVerdict.Contradiction)
-        {
-            state.Verdict = Verdict.Contradiction;
-            return;
-        }
-
-        state.Verdict = depth == DepthVerdict.Found ? Verdict.Apart : Verdict.Undecided;
-    }
+    /// <summary>The search for the depth has said all that there is to say: a known depth is a feature of negative
+    /// height.</summary>
+    private static Verdict Signed(Verdict depth) => depth == Verdict.Enclosed ? Verdict.Apart : depth;
 
     /// <summary>Shapes that the distance calls touching get the direction that the search for the depth found; their
     /// depth is less than rounding can tell.</summary>

@@ -11,7 +11,9 @@ namespace Gjk.Core;
 /// support point. Where w jumps from one end of an edge of A - B to the other it does not, and the search goes
 /// on.</para>
 /// </remarks>
-internal static class SmoothNormal
+internal static class SmoothNormal<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Radians: half of what the normal is turned by for a difference. Its square is what the difference may
     /// be off by, and what rounding does to supports is a part of 1e-11 of it. Four times more or less takes as many
@@ -41,10 +43,7 @@ internal static class SmoothNormal
     /// <param name="state">Gets the way out and its end.</param>
     /// <returns>Whether it ends on a smooth point.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static bool TryEnd<TA, TB>(
-        ref TA a, ref TB b, in PairFrame frame, in DepthBounds known, ref SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
+    public static bool TryEnd(ref TA a, ref TB b, in PairFrame frame, in DepthBounds known, ref SolverState state)
     {
         double size = state.Size.Value, length = 1;
         Double3 normal = known.Normal;
@@ -80,20 +79,16 @@ internal static class SmoothNormal
     }
 
     /// <summary>How fast the support moves as the normal turns.</summary>
-    private static Double3 Slope<TA, TB>(
+    private static Double3 Slope(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 across, ref SolverState state,
         ref Simplex end)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Double3 after = Support(ref a, ref b, frame, normal + across * Turn, ref state, ref end);
         return (after - Support(ref a, ref b, frame, normal - across * Turn, ref state, ref end)) * (0.5 / Turn);
     }
 
-    private static Double3 Support<TA, TB>(
+    private static Double3 Support(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex end)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         state.Iterations++;
         MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref end, 0, out Double3 w);

@@ -93,7 +93,7 @@ internal static class DeepeningSolver
         WarmStart unused = default;
         NoPolytopeTrace trace = default;
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
-        else SignedSolver.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
+        else SignedSolver<TA, TB>.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
         iterations += state.Iterations;
         look = default;
         if (state.Verdict == Verdict.Contradiction) return false;

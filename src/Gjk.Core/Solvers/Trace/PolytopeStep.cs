@@ -20,8 +20,7 @@ public readonly ref struct PolytopeStep
         Above = above * frame.Unit;
         Support = lowest < 0
             ? default
-            : new TracedSupport(
-                frame, -polytope.Face(lowest).UnitNormal, polytope.Vertex(polytope.VertexCount - 1));
+            : new TracedSupport(frame, -polytope.Face(lowest).UnitNormal, polytope.Vertex(polytope.VertexCount - 1));
     }
 
     /// <summary>What the step led to; all but <see cref="PolytopeOutcome.Grows"/> end a search.</summary>
@@ -86,4 +85,35 @@ public readonly ref struct PolytopeStep
         index >= 0 && index < VertexCount
             ? _axes.Vector(_polytope.Vertex(index).W)
             : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+}
+
+/// <summary>A triangle of the surface that grows inside A - B. Its corners run counterclockwise seen from outside.
+/// Immutable.</summary>
+public readonly struct TracedFace
+{
+    internal unsafe TracedFace(in PolytopeFace face, in TraceAxes axes)
+    {
+        A = face.Vertices[0];
+        B = face.Vertices[1];
+        C = face.Vertices[2];
+        Normal = axes.Direction(face.UnitNormal);
+        Height = axes.Length(face.Height);
+    }
+
+    /// <summary>The first corner: the number of a vertex.</summary>
+    public int A { get; }
+
+    /// <summary>The second corner.</summary>
+    public int B { get; }
+
+    /// <summary>The third corner.</summary>
+    public int C { get; }
+
+    /// <summary>The outward unit normal, in A's axes; where the triangle is a needle, that of a plane just below
+    /// it.</summary>
+    public Double3 Normal { get; }
+
+    /// <summary>How far the triangle is from the origin along the normal, in world units: the least of its corners'
+    /// offsets, negative where the origin is outside.</summary>
+    public double Height { get; }
 }
