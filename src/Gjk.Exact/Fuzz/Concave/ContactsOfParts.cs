@@ -18,6 +18,10 @@ internal static class ContactsOfParts
     /// <summary>Ratio to the size and the place: how far a point may be off its part.</summary>
     private const double Beside = 1e-5;
 
+    /// <summary>Cosine: contacts that push more alike than this, or more against each other, bury none of each
+    /// other.</summary>
+    private const double Alike = 0.9;
+
     public static string? Broken(ConcavePair pair)
     {
         if (pair.IsUnknown) return null;
@@ -39,7 +43,7 @@ internal static class ContactsOfParts
             if (!(pair.All[i].Distance <= gap) || named.Contains(i)) continue;
             int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
             DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
-            if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal))
+            if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal) && !IsBuried(pair, found, manifold, gap))
                 return Say.Line($"the contact of pair {i}, {part}, is lost");
         }
 
@@ -58,10 +62,14 @@ internal static class ContactsOfParts
 
         // A corner that a neighbour climbs to is named by these parts, too, beside their own.
         bool isThere = found.Exists(other => pair.IndexOf(other.PartA, other.PartB) == i && IsOwn(other));
-        if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal))
+        if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
+            && !IsBuried(pair, found, manifold, gap))
+        {
             return Say.Line($"the parts say {part}, {manifold.Count} points");
+        }
+
         bool isAlong = Along(pair.RawA, a, pair.PoseA, normal) || Along(pair.RawB, b, pair.PoseB, normal);
-        if (!(isAlong || pair.HasSolid))
+        if (!(isAlong || pair.HasSolid || IsClimbed(pair, normal, gap)))
             return Say.Line($"neither along a face nor what the parts say: {part}, {manifold.Count} points");
         double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
         double size = pair.ScaleOf(a, b) + place;
@@ -76,6 +84,58 @@ internal static class ContactsOfParts
         }
 
         return null;
+    }
+
+    /// <summary>Whether a direction is that of two parts: from them it was climbed to a corner of others.</summary>
+    private static bool IsClimbed(ConcavePair pair, Vector3 normal, float gap)
+    {
+        for (int i = 0; i < pair.PairCount; i++)
+        {
+            if (!(pair.All[i].Distance <= gap)) continue;
+            Own(pair, i, gap, out ContactManifold own);
+            if (own.Count > 0 && own.Normal == normal) return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether all points of a contact are on or behind the plane of another, found or of two parts, by no
+    /// more than that pushes the other body out of it: such a side may be covered.</summary>
+    private static bool IsBuried(
+        ConcavePair pair, List<PartContacts> found, in ContactManifold contact, float gap)
+    {
+        foreach (PartContacts one in found)
+            if (Buries(pair, one.Manifold, contact)) return true;
+        for (int i = 0; i < pair.PairCount; i++)
+        {
+            if (!(pair.All[i].Distance <= gap)) continue;
+            Own(pair, i, gap, out ContactManifold other);
+            if (other.Count > 0 && Buries(pair, other, contact)) return true;
+        }
+
+        return false;
+    }
+
+    private static bool Buries(ConcavePair pair, in ContactManifold one, in ContactManifold lost) =>
+        Math.Abs(Double3.Dot(one.Normal, (Double3)lost.Normal)) < Alike
+            && (Buries(pair, one, lost, isA: true) || Buries(pair, one, lost, isA: false));
+
+    private static bool Buries(ConcavePair pair, in ContactManifold one, in ContactManifold lost, bool isA)
+    {
+        Double3 normal = isA ? one.Normal : -one.Normal;
+        ManifoldPoint deepest = one[0];
+        for (int k = 1; k < one.Count; k++)
+            if (one[k].Gap < deepest.Gap) deepest = one[k];
+        Double3 foot = isA ? deepest.PointA : deepest.PointB;
+        double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
+        double room = Beside * (pair.ScaleOf(0, 0) + place + foot.Length), most = Math.Max(-deepest.Gap, 0) + room;
+        for (int k = 0; k < lost.Count; k++)
+        {
+            double behind = Double3.Dot(normal, foot - (isA ? lost[k].PointA : lost[k].PointB));
+            if (!(behind >= -room && behind <= most)) return false;
+        }
+
+        return true;
     }
 
     private static DistanceResult Own(ConcavePair pair, int i, float gap, out ContactManifold manifold) =>
