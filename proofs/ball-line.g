@@ -1,7 +1,7 @@
 # The line of two balls that move is where it seems to be, but for this part of the radii and of the way: one that
 # passes further off misses.
 # constant: ConvexQuery.BallLineError = 32 * 2^-53
-# code: src/Gjk.Core/Queries/ConvexQuery.CastBalls.cs, CastBalls; Minkowski/PairFrame.cs, BetweenCenters
+# code: src/Gjk.Core/Queries/ConvexQuery.CastPoint.cs, CastBalls; Minkowski/PairFrame.cs, BetweenCenters
 # assumed: the radii and the way are 1 together, since nothing here knows a scale: what is linear in both is bounded by
 #   its value at either end. The line passes within twice the radii, or else misses whatever is rounded
 # control: c = 6b-53;

@@ -43,7 +43,7 @@ internal static class ContactsOfParts
             if (!(pair.All[i].Distance <= gap) || named.Contains(i)) continue;
             int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
             DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
-            if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal) && !IsBuried(pair, found, manifold, gap))
+            if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal) && !IsBuried(pair, found, a, b, manifold, gap))
                 return Say.Line($"the contact of pair {i}, {part}, is lost");
         }
 
@@ -63,7 +63,7 @@ internal static class ContactsOfParts
         // A corner that a neighbour climbs to is named by these parts, too, beside their own.
         bool isThere = found.Exists(other => pair.IndexOf(other.PartA, other.PartB) == i && IsOwn(other));
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-            && !IsBuried(pair, found, manifold, gap))
+            && !IsBuried(pair, found, a, b, manifold, gap))
         {
             return Say.Line($"the parts say {part}, {manifold.Count} points");
         }
@@ -102,8 +102,10 @@ internal static class ContactsOfParts
     /// <summary>Whether all points of a contact are on or behind the plane of another, found or of two parts, by no
     /// more than that pushes the other body out of it: such a side may be covered.</summary>
     private static bool IsBuried(
-        ConcavePair pair, List<PartContacts> found, in ContactManifold contact, float gap)
+        ConcavePair pair, List<PartContacts> found, int a, int b, in ContactManifold contact, float gap)
     {
+        if (IsOnOthers(pair, pair.PartsA, a, true, contact) || IsOnOthers(pair, pair.PartsB, b, false, contact))
+            return true;
         foreach (PartContacts one in found)
             if (Buries(pair, one.Manifold, contact)) return true;
         for (int i = 0; i < pair.PairCount; i++)
@@ -116,6 +118,26 @@ internal static class ContactsOfParts
         return false;
     }
 
+    /// <summary>Whether all points of a contact are on other parts of one of the bodies, too: at an edge.</summary>
+    private static bool IsOnOthers(
+        ConcavePair pair, IReadOnlyList<ConvexShape> parts, int own, bool isA, in ContactManifold lost)
+    {
+        RigidPose pose = isA ? pair.PoseA : pair.PoseB;
+        double room = Room(pair, default);
+        for (int k = 0; k < lost.Count; k++)
+        {
+            Vector3 point = isA ? lost[k].PointA : lost[k].PointB;
+            bool isOn = false;
+            for (int i = 0; i < parts.Count && !isOn; i++) isOn = i != own && Off(parts[i], pose, point) <= room;
+            if (!isOn) return false;
+        }
+
+        return true;
+    }
+
+    private static double Room(ConcavePair pair, in Double3 foot) => Beside * (pair.ScaleOf(0, 0)
+        + ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length + foot.Length);
+
     private static bool Buries(ConcavePair pair, in ContactManifold one, in ContactManifold lost) =>
         Math.Abs(Double3.Dot(one.Normal, (Double3)lost.Normal)) < Alike
             && (Buries(pair, one, lost, isA: true) || Buries(pair, one, lost, isA: false));
@@ -127,8 +149,7 @@ internal static class ContactsOfParts
         for (int k = 1; k < one.Count; k++)
             if (one[k].Gap < deepest.Gap) deepest = one[k];
         Double3 foot = isA ? deepest.PointA : deepest.PointB;
-        double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
-        double room = Beside * (pair.ScaleOf(0, 0) + place + foot.Length), most = Math.Max(-deepest.Gap, 0) + room;
+        double room = Room(pair, foot), most = Math.Max(-deepest.Gap, 0) + room;
         for (int k = 0; k < lost.Count; k++)
         {
             double behind = Double3.Dot(normal, foot - (isA ? lost[k].PointA : lost[k].PointB));
