@@ -37,14 +37,19 @@ internal static class ContactsOfParts
             return null;
         }
 
+        // Where sheets pass through each other, a contact that another one pushes out of may stay away.
+        if (pair.RawA.Triangles is not null && pair.RawB.Triangles is not null && pair.Least <= 0) return null;
         var named = found.Select(one => pair.IndexOf(one.PartA, one.PartB)).ToHashSet();
         for (int i = 0; i < pair.PairCount; i++)
         {
             if (!(pair.All[i].Distance <= gap) || named.Contains(i)) continue;
             int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
             DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
-            if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal) && !IsBuried(pair, found, a, b, manifold, gap))
+            if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
+                && !IsBuried(pair, found, a, b, manifold, gap))
+            {
                 return Say.Line($"the contact of pair {i}, {part}, is lost");
+            }
         }
 
         return null;
