@@ -9,63 +9,6 @@ internal readonly struct OpenPlane(in Double3 foot, in Double3 normal, double de
     public readonly double Depth = depth;
 }
 
-/// <summary>What may go on where a contact is.</summary>
-internal interface ICover
-{
-    /// <summary>Whether a part of it holds a point of the world and reaches beyond it.</summary>
-    bool GoesOn(in Double3 point, in Double3 direction);
-
-    /// <summary>The way from it to a point that is near it; 0 where the point is in it.</summary>
-    Double3 WayTo(in Double3 point);
-}
-
-/// <summary>The other parts of the body that a contact is of, as far as they are near the same part of the other body.
-/// What covers a contact is among them, as it is as near.</summary>
-internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PartContacts contact) : ICover
-{
-    private readonly PartSide _side = isA ? scratch.A : scratch.B;
-    private readonly int _own = isA ? contact.PartA : contact.PartB, _other = isA ? contact.PartB : contact.PartA;
-
-    public Double3 Witness(in PartContacts one) =>
-        CoveredSides.InWorld(isA ? one.Result.LocalPointA : one.Result.LocalPointB, _side.Pose);
-
-    public Double3 Outward(in PartContacts one) => isA ? one.Result.Normal : -one.Result.Normal;
-
-    public bool GoesOnAtWitness(in PartContacts one) => GoesOn(Witness(one), Outward(one));
-
-    public bool GoesOn(in Double3 point, in Double3 direction)
-    {
-        RotationD turn = new(_side.Pose.Rotation);
-        Double3 local = turn.InverseRotate(point - _side.Pose.Position), along = turn.InverseRotate(direction);
-        ConvexShape room = default;
-        foreach (PartDistance near in scratch.Pairs)
-        {
-            int part = isA ? near.PartA : near.PartB;
-            if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
-            if (CoveredSides.GoesOn(_side.Part(part, ref room), local, along)) return true;
-        }
-
-        return false;
-    }
-
-    public Double3 WayTo(in Double3 point)
-    {
-        var shape = ConvexShape.Point();
-        var pose = new RigidPose((Vector3)point);
-        DistanceResult least = default;
-        ConvexShape room = default;
-        foreach (PartDistance near in scratch.Pairs)
-        {
-            int part = isA ? near.PartA : near.PartB;
-            if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
-            DistanceResult found = ConvexQuery.Distance(_side.Part(part, ref room), _side.Pose, shape, pose);
-            if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
-        }
-
-        return least.Normal;
-    }
-}
-
 /// <summary>Where the parts of a body, or static objects, are flush or in each other, a contact with one of them may be
 /// at a side that another one covers: their union does not end there.</summary>
 internal static class CoveredSides
@@ -211,7 +154,7 @@ internal static class CoveredSides
 
     /// <summary>Whether a point of a shape's frame is in it or as good as on it.</summary>
     public static bool IsOn(in ConvexShape shape, in Double3 point) =>
-        ConvexQuery.Distance(shape, RigidPose.Identity, (Vector3)point).Distance <= Room * point.SumOfMagnitudes;
+        IsWithin(shape, point, Room * point.SumOfMagnitudes);
 
     /// <summary>A point of another body, and what is opposite it on the plane of a part's furthest point.</summary>
     public static ManifoldPoint Under(
@@ -254,8 +197,7 @@ internal static class CoveredSides
         Double3 to = shape.Center + most + direction * shape.Margin - point;
         double length = to.Length;
         if (!(Double3.Dot(to, direction) > 2 * Room * length)) return false;
-        float near = ConvexQuery.Distance(shape, RigidPose.Identity, (Vector3)point, (float)length).Distance;
-        return near <= Room * (length + point.Length);
+        return IsWithin(shape, point, Room * (length + point.Length));
     }
 
     private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
@@ -274,7 +216,7 @@ internal static class CoveredSides
         double behind = Double3.Dot(plane.Normal, to), room = RoomOf(foot, to, pose);
         if (!(Math.Abs(behind - plane.Depth / 2) <= plane.Depth / 2 + room)) return false;
         Double3 lifted = foot + plane.Normal * behind;
-        return !ReachesBeyond(plane, lifted, outward, own, pose) && cover.GoesOn(lifted, outward);
+        return cover.GoesOn(lifted, outward) && !ReachesBeyond(plane, lifted, outward, own, pose);
     }
 
     /// <summary>Whether a part is there beyond a plane, along its normal or along the side that the part shows at a
@@ -293,7 +235,11 @@ internal static class CoveredSides
         Double3 local = turn.InverseRotate(point - pose.Position), beyond = turn.InverseRotate(direction);
         own.Support(beyond, out Double3 most);
         double length = (own.Center - local).Length + most.Length + own.Margin + local.Length;
-        var at = (Vector3)(local + beyond * (Beyond * Room * length));
-        return ConvexQuery.Distance(own, RigidPose.Identity, at, (float)length).Distance <= Room * length;
+        return IsWithin(own, local + beyond * (Beyond * Room * length), Room * length);
     }
+
+    /// <summary>Whether a shape is no further than so much from a point of its frame. What is twice as far is not
+    /// measured, as most parts that are asked are far from the point.</summary>
+    private static bool IsWithin(in ConvexShape shape, in Double3 point, double room) =>
+        ConvexQuery.Distance(shape, RigidPose.Identity, (Vector3)point, (float)(2 * room)).Distance <= room;
 }

@@ -6,8 +6,6 @@ internal sealed class SceneSeams(SceneObjects objects)
 {
     private ulong[] _keys = new ulong[16];
     private bool[] _isCovered = new bool[16];
-    private static readonly List<int> NoGrounds = [];
-
     private readonly List<int> _grounds = [];
     private readonly List<OpenPlane> _planes = [];
     private readonly List<(int At, PairContacts Straight)> _straight = [];
@@ -160,7 +158,7 @@ internal sealed class SceneSeams(SceneObjects objects)
 
         /// <summary>Whether another static object goes on where this contact is.</summary>
         public bool GoesOnIn(int ground) =>
-            ground != Ground && new GroundCover(_objects, ground, NoGrounds).GoesOn(Witness, Outward);
+            ground != Ground && new GroundCover(_objects, ground).GoesOn(Witness, Outward);
 
         /// <summary>Whether its part is there beyond the plane of another contact.</summary>
         public bool StandsOn(List<OpenPlane> planes)
@@ -175,7 +173,7 @@ internal sealed class SceneSeams(SceneObjects objects)
             ConvexShape room = default;
             return ground != Ground && CoveredSides.IsBuried(
                 _contact.Manifold, !_isBodyA, GroundPart(ref room), _objects.Poses[Ground], planes,
-                new GroundCover(_objects, ground, NoGrounds));
+                new GroundCover(_objects, ground));
         }
 
         private Double3 Witness => CoveredSides.InWorld(
@@ -216,8 +214,8 @@ internal sealed class SceneSeams(SceneObjects objects)
             ref _objects.Parts.Part(Body, _isBodyA ? _contact.PartA : _contact.PartB, ref room);
     }
 
-    /// <summary>A static object, and those that are there beside it.</summary>
-    private readonly struct GroundCover(SceneObjects objects, int ground, List<int> grounds) : ICover
+    /// <summary>A static object, and for the way to a point those that are there beside it.</summary>
+    private readonly struct GroundCover(SceneObjects objects, int ground, List<int>? grounds = null) : ICover
     {
         public bool GoesOn(in Double3 point, in Double3 direction)
         {
@@ -230,11 +228,11 @@ internal sealed class SceneSeams(SceneObjects objects)
         {
             var pose = new RigidPose((Vector3)point);
             DistanceResult least = default;
-            for (int i = 0; i < grounds.Count; i++)
+            foreach (int other in grounds!)
             {
-                if (grounds[i] == ground) continue;
+                if (other == ground) continue;
                 DistanceResult found = objects.Parts.Distance(
-                    ConvexShape.Point(), pose, grounds[i], float.PositiveInfinity).Result;
+                    ConvexShape.Point(), pose, other, float.PositiveInfinity).Result;
                 if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
             }
 

@@ -46,7 +46,7 @@ internal static class ContactsOfParts
             int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
             DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
             if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-                && !IsBuried(pair, found, a, b, manifold, gap))
+                && !IsBuried(pair, found, manifold, gap))
             {
                 return Say.Line($"the contact of pair {i}, {part}, is lost");
             }
@@ -68,7 +68,7 @@ internal static class ContactsOfParts
         // A corner that a neighbour climbs to is named by these parts, too, beside their own.
         bool isThere = found.Exists(other => pair.IndexOf(other.PartA, other.PartB) == i && IsOwn(other));
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-            && !IsBuried(pair, found, a, b, manifold, gap))
+            && !IsBuried(pair, found, manifold, gap))
         {
             return Say.Line($"the parts say {part}, {manifold.Count} points");
         }
@@ -107,10 +107,8 @@ internal static class ContactsOfParts
     /// <summary>Whether all points of a contact are on or behind the plane of another, found or of two parts, by no
     /// more than that pushes the other body out of it: such a side may be covered.</summary>
     private static bool IsBuried(
-        ConcavePair pair, List<PartContacts> found, int a, int b, in ContactManifold contact, float gap)
+        ConcavePair pair, List<PartContacts> found, in ContactManifold contact, float gap)
     {
-        if (IsOnOthers(pair, pair.PartsA, a, true, contact) || IsOnOthers(pair, pair.PartsB, b, false, contact))
-            return true;
         foreach (PartContacts one in found)
             if (Buries(pair, one.Manifold, contact)) return true;
         for (int i = 0; i < pair.PairCount; i++)
@@ -121,23 +119,6 @@ internal static class ContactsOfParts
         }
 
         return false;
-    }
-
-    /// <summary>Whether all points of a contact are on other parts of one of the bodies, too: at an edge.</summary>
-    private static bool IsOnOthers(
-        ConcavePair pair, IReadOnlyList<ConvexShape> parts, int own, bool isA, in ContactManifold lost)
-    {
-        RigidPose pose = isA ? pair.PoseA : pair.PoseB;
-        double room = Room(pair, default);
-        for (int k = 0; k < lost.Count; k++)
-        {
-            Vector3 point = isA ? lost[k].PointA : lost[k].PointB;
-            bool isOn = false;
-            for (int i = 0; i < parts.Count && !isOn; i++) isOn = i != own && Off(parts[i], pose, point) <= room;
-            if (!isOn) return false;
-        }
-
-        return true;
     }
 
     private static double Room(ConcavePair pair, in Double3 foot) => Beside * (pair.ScaleOf(0, 0)

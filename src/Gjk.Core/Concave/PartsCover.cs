@@ -1,0 +1,58 @@
+namespace Gjk.Core;
+
+/// <summary>What may go on where a contact is.</summary>
+internal interface ICover
+{
+    /// <summary>Whether a part of it holds a point of the world and reaches beyond it.</summary>
+    bool GoesOn(in Double3 point, in Double3 direction);
+
+    /// <summary>The way from it to a point that is near it; 0 where the point is in it.</summary>
+    Double3 WayTo(in Double3 point);
+}
+
+/// <summary>The other parts of the body that a contact is of, as far as they are near the same part of the other body.
+/// What covers a contact is among them, as it is as near.</summary>
+internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PartContacts contact) : ICover
+{
+    private readonly PartSide _side = isA ? scratch.A : scratch.B;
+    private readonly int _own = isA ? contact.PartA : contact.PartB, _other = isA ? contact.PartB : contact.PartA;
+
+    public Double3 Witness(in PartContacts one) =>
+        CoveredSides.InWorld(isA ? one.Result.LocalPointA : one.Result.LocalPointB, _side.Pose);
+
+    public Double3 Outward(in PartContacts one) => isA ? one.Result.Normal : -one.Result.Normal;
+
+    public bool GoesOnAtWitness(in PartContacts one) => GoesOn(Witness(one), Outward(one));
+
+    public bool GoesOn(in Double3 point, in Double3 direction)
+    {
+        RotationD turn = new(_side.Pose.Rotation);
+        Double3 local = turn.InverseRotate(point - _side.Pose.Position), along = turn.InverseRotate(direction);
+        ConvexShape room = default;
+        foreach (PartDistance near in scratch.Pairs)
+        {
+            int part = isA ? near.PartA : near.PartB;
+            if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
+            if (CoveredSides.GoesOn(_side.Part(part, ref room), local, along)) return true;
+        }
+
+        return false;
+    }
+
+    public Double3 WayTo(in Double3 point)
+    {
+        var shape = ConvexShape.Point();
+        var pose = new RigidPose((Vector3)point);
+        DistanceResult least = default;
+        ConvexShape room = default;
+        foreach (PartDistance near in scratch.Pairs)
+        {
+            int part = isA ? near.PartA : near.PartB;
+            if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
+            DistanceResult found = ConvexQuery.Distance(_side.Part(part, ref room), _side.Pose, shape, pose);
+            if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
+        }
+
+        return least.Normal;
+    }
+}
