@@ -76,15 +76,17 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _shape.Filter)) return _limit;
-        Take(_shape.Cast(objects, slot).Of(objects.Ids[slot]));
+        Take(objects.Ids[slot], _shape.Cast(objects, slot));
         return _limit;
     }
 
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(in CastHit found)
+    public void Take(int id, in CastHit found)
     {
-        if (!found.Result.MayHit || (Hit.Id >= 0 && found.CompareTo(Hit) > 0)) return;
-        Hit = found;
+        if (!found.Result.MayHit) return;
+        CastHit hit = found.Of(id);
+        if (Hit.Id >= 0 && hit.CompareTo(Hit) > 0) return;
+        Hit = hit;
         _limit = SweptBox.After(found.Fraction);
     }
 }

@@ -18,15 +18,17 @@ internal struct FirstRayHit(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _filter)) return _limit;
-        Take(objects.Parts.RayCast(slot, _ray, _options).Of(objects.Ids[slot]));
+        Take(objects.Ids[slot], objects.Parts.RayCast(slot, _ray, _options));
         return _limit;
     }
 
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(in RayHit found)
+    public void Take(int id, in RayHit found)
     {
-        if (!found.Result.MayHit || (Hit.Id >= 0 && found.CompareTo(Hit) > 0)) return;
-        Hit = found;
+        if (!found.Result.MayHit) return;
+        RayHit hit = found.Of(id);
+        if (Hit.Id >= 0 && hit.CompareTo(Hit) > 0) return;
+        Hit = hit;
 
         // Twice, since the distance and the fraction are rounded each on its own scale.
         _limit = SweptBox.After(SweptBox.After(found.Distance) / _length);
