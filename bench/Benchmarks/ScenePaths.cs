@@ -61,8 +61,8 @@ public class ScenePaths
         int sum = 0;
         foreach (RayQuery ray in _rays)
         {
-            _scene.TryFindCastHit(_box, new RigidPose(ray.Origin), ray.Direction * 100, out int id, out CastResult _);
-            sum += id;
+            _scene.TryFindCastHit(_box, new RigidPose(ray.Origin), ray.Direction * 100, out CastHit hit);
+            sum += hit.Id;
         }
 
         return sum;
@@ -75,8 +75,8 @@ public class ScenePaths
         int sum = 0;
         foreach (RayQuery ray in _rays)
         {
-            _scene.TryFindNearest(_box, new RigidPose(ray.Origin), out int id, out _);
-            sum += id;
+            _scene.TryFindNearest(_box, new RigidPose(ray.Origin), out PairDistance nearest);
+            sum += nearest.Pair.B;
         }
 
         return sum;

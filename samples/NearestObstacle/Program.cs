@@ -53,9 +53,9 @@ internal static class Program
         (int Link, int Other, DistanceResult Result) nearest = (-1, -1, default);
         foreach (int link in arm.Links)
         {
-            bool isFound = scene.TryFindNearest(link, out int other, out DistanceResult result);
-            if (isFound && (nearest.Link < 0 || result.Distance < nearest.Result.Distance))
-                nearest = (link, other, result);
+            bool isFound = scene.TryFindNearest(link, out PairDistance found);
+            if (isFound && (nearest.Link < 0 || found.Distance < nearest.Result.Distance))
+                nearest = (link, found.Pair.B, found.Result);
         }
 
         return nearest;

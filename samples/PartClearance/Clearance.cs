@@ -28,7 +28,7 @@ internal static class Clearance
         scene.CollectCandidates(candidates, within);
 
         var gaps = new List<Gap>();
-        var results = new PartDistance[ChunkLength];
+        var results = new PairDistance[ChunkLength];
         var scratch = new ConcaveScratch();
         using var workers = new Workers();
         int done = 0;

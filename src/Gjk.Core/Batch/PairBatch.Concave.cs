@@ -23,7 +23,7 @@ public static partial class PairBatch
     /// rest is as it was.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void Distance(
-        AnyShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, PartDistance[] results, ConcaveScratch scratch,
+        AnyShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, PairDistance[] results, ConcaveScratch scratch,
         PartWarmStart[]? warmStarts = null, float maxDistance = float.PositiveInfinity, Workers? workers = null,
         CancellationToken cancellation = default)
     {
@@ -38,7 +38,7 @@ public static partial class PairBatch
     }
 
     private readonly struct ConcaveDistanceJob(
-        AnyShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, PartDistance[] results, ConcaveScratch scratches,
+        AnyShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, PairDistance[] results, ConcaveScratch scratches,
         PartWarmStart[]? warmStarts, float maxDistance) : IPartJob
     {
         public void Run(int begin, int end)

@@ -17,6 +17,9 @@ public readonly struct ObjectPair : IEquatable<ObjectPair>, IComparable<ObjectPa
         B = b;
     }
 
+    /// <summary>No object of a scene.</summary>
+    internal static ObjectPair None => new(-1, -1);
+
     /// <inheritdoc/>
     public int CompareTo(ObjectPair other) => A != other.A ? A.CompareTo(other.A) : B.CompareTo(other.B);
 

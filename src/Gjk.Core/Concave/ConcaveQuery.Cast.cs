@@ -20,17 +20,16 @@ public static partial class ConcaveQuery
     /// edge before a corner; then the least numbers. What begins inside a solid is OverlappingAtStart, with the way out
     /// over the solid's outside; what touches its surface and moves into it is a hit at 0. Invalid input, or a scratch
     /// that is null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
-    public static PartCast Cast(
+    public static CastHit Cast(
         in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,
         Vector3 translationB, ConcaveScratch scratch, float maxFraction = 1, in CastOptions options = default)
     {
         if (AreConvex(a, b))
         {
-            return new PartCast(
+            return new CastHit(
                 ConvexQuery.Cast(
                     AnyShape.ConvexOf(a), poseA, translationA, AnyShape.ConvexOf(b), poseB, translationB, maxFraction,
-                    options),
-                PartSide.NoPart, PartSide.NoPart);
+                    options));
         }
 
         bool isValid = Guard.IsFinite(translationA) && Guard.IsFinite(translationB);
@@ -53,16 +52,15 @@ public static partial class ConcaveQuery
     /// <param name="options">See <see cref="Cast"/>.</param>
     /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.TimeOfImpact</c> has
     /// for them; else as <see cref="Cast"/>.</returns>
-    public static PartCast TimeOfImpact(
+    public static CastHit TimeOfImpact(
         in AnyShape a, in RigidMotion motionA, in AnyShape b, in RigidMotion motionB, ConcaveScratch scratch,
         float tolerance = 0, float maxFraction = 1, in CastOptions options = default)
     {
         if (AreConvex(a, b))
         {
-            return new PartCast(
+            return new CastHit(
                 ConvexQuery.TimeOfImpact(
-                    AnyShape.ConvexOf(a), motionA, AnyShape.ConvexOf(b), motionB, tolerance, maxFraction, options),
-                PartSide.NoPart, PartSide.NoPart);
+                    AnyShape.ConvexOf(a), motionA, AnyShape.ConvexOf(b), motionB, tolerance, maxFraction, options));
         }
 
         bool isValid = motionA.IsValid && motionB.IsValid && !float.IsNaN(tolerance);
@@ -70,12 +68,12 @@ public static partial class ConcaveQuery
         return Move(scratch, PartMotion.Impact, motionA, motionB, maxFraction, tolerance, options);
     }
 
-    private static PartCast InvalidCast =>
-        new(CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0), PartSide.NoPart, PartSide.NoPart);
+    private static CastHit InvalidCast =>
+        new(CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
 
-    private static PartCast Move(
+    private static CastHit Move(
         ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance, in CastOptions options, List<PartCast>? all = null)
+        float tolerance, in CastOptions options, List<CastHit>? all = null)
     {
         if (float.IsNaN(maxFraction)) return InvalidCast;
         PartSide sideA = scratch.A, sideB = scratch.B;
@@ -94,13 +92,13 @@ public static partial class ConcaveQuery
             : CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0);
         bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
         bool isSolid = sideA.IsSolid || sideB.IsSolid;
-        PartCast first = search.PartA < 0
-            ? new PartCast(found, PartSide.NoPart, PartSide.NoPart)
-            : new PartCast(found, sideA.NumberOf(search.PartA), sideB.NumberOf(search.PartB), search.Feature);
+        CastHit first = search.PartA < 0
+            ? new CastHit(found)
+            : new CastHit(found, sideA.NumberOf(search.PartA), sideB.NumberOf(search.PartB), search.Feature);
         if (!isSolid || options.PassesShallow) return first;
-        if (!isAtStart && TryInside(scratch, a, b, found, out PartCast inside)) first = inside;
+        if (!isAtStart && TryInside(scratch, a, b, found, out CastHit inside)) first = inside;
         bool isIn = first.Status == CastStatus.OverlappingAtStart;
-        return isIn && SolidExit.TryFind(scratch, out PartCast way) ? way : first;
+        return isIn && SolidExit.TryFind(scratch, out CastHit way) ? way : first;
     }
 
     /// <summary>Where B is out of the union of A's parts, and what it may pass from there: what begins deeper in the
@@ -116,7 +114,7 @@ public static partial class ConcaveQuery
         {
             scratch.B.Pose = lifted;
             var still = new RigidMotion(a.Pose, Vector3.Zero);
-            PartCast start = Move(
+            CastHit start = Move(
                 scratch, PartMotion.Cast, still, new RigidMotion(lifted, Vector3.Zero), 0, 0, default);
             if (!UnionLift.TryMove(start.Result, options, 1, ref lifted)) break;
             isLifted = true;
@@ -136,19 +134,19 @@ public static partial class ConcaveQuery
     /// <param name="translationB">Its motion.</param>
     /// <param name="scratch">Memory for the search.</param>
     /// <param name="hits">Cleared, then what <c>ConvexQuery.Cast</c> says of each pair that is met, in their order
-    /// (<see cref="PartCast.CompareTo"/>). Where the start is in a solid, the first one is the way out of that, and
+    /// (<see cref="CastHit.CompareTo"/>). Where the start is in a solid, the first one is the way out of that, and
     /// takes the place of what overlaps.</param>
     /// <param name="maxFraction">See <see cref="Cast"/>.</param>
     /// <param name="options">See <see cref="Cast"/>.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool CastAll(
         in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,
-        Vector3 translationB, ConcaveScratch scratch, List<PartCast> hits, float maxFraction = 1,
+        Vector3 translationB, ConcaveScratch scratch, List<CastHit> hits, float maxFraction = 1,
         in CastOptions options = default)
     {
         if (hits is null) return false;
         hits.Clear();
-        PartCast first = Cast(a, poseA, translationA, b, poseB, translationB, scratch, maxFraction, options);
+        CastHit first = Cast(a, poseA, translationA, b, poseB, translationB, scratch, maxFraction, options);
         if (first.Status == CastStatus.InvalidInput) return false;
         if (!first.Result.MayHit) return true;
         if (!AreConvex(a, b))
@@ -171,15 +169,15 @@ public static partial class ConcaveQuery
 
     /// <summary>What an inside makes of a motion whose parts do not overlap at the start.</summary>
     private static bool TryInside(
-        ConcaveScratch scratch, in RigidMotion a, in RigidMotion b, in CastResult found, out PartCast inside)
+        ConcaveScratch scratch, in RigidMotion a, in RigidMotion b, in CastResult found, out CastHit inside)
     {
         PartPairSearch.Run(scratch, 0);
         bool isTouching = scratch.Search.PartA >= 0;
         inside = default;
         if (!isTouching)
         {
-            if (!Containment.TryFind(scratch, out PartDistance start)) return false;
-            inside = new PartCast(
+            if (!Containment.TryFind(scratch, out PairDistance start)) return false;
+            inside = new CastHit(
                 new CastResult(CastStatus.OverlappingAtStart, 0, start.Result.PointA, Vector3.Zero, 0), start.PartA,
                 start.PartB);
             return true;
@@ -197,7 +195,7 @@ public static partial class ConcaveQuery
         Vector3 normal = wasInside ? Vector3.Zero : Facing(
             PartQuery.SignedDistance(scratch.A, touch.PartA, scratch.B, touch.PartB).Normal,
             (Vector3)((Double3)b.Velocity - a.Velocity));
-        inside = new PartCast(
+        inside = new CastHit(
             new CastResult(status, 0, touch.Best.PointA, normal, 0), scratch.A.NumberOf(touch.PartA),
             scratch.B.NumberOf(touch.PartB));
         return true;

@@ -21,12 +21,12 @@ public static partial class ConcaveQuery
     /// <returns>False when the input is invalid.</returns>
     public static bool FindContacts(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,
-        List<PartContacts> contacts)
+        List<PairContacts> contacts)
     {
         if (contacts is null) return false;
         contacts.Clear();
         if (scratch is null) return false;
-        List<PartDistance> pairs = scratch.Pairs;
+        List<PairDistance> pairs = scratch.Pairs;
         if (!FindPairsWithin(a, poseA, b, poseB, maxGap, scratch, pairs)) return false;
         scratch.FaceContacts.Clear();
         scratch.Orphans.Clear();

@@ -14,7 +14,7 @@ public static partial class ConcaveQuery
     /// <returns>False when the input is invalid.</returns>
     public static bool FindPairsWithin(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float distance, ConcaveScratch scratch,
-        List<PartDistance> pairs)
+        List<PairDistance> pairs)
     {
         if (pairs is null) return false;
         pairs.Clear();
@@ -37,16 +37,16 @@ public static partial class ConcaveQuery
     /// <returns>False when the input is invalid.</returns>
     public static bool FindDepths(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch,
-        List<PartDistance> pairs)
+        List<PairDistance> pairs)
     {
         if (!FindPairsWithin(a, poseA, b, poseB, 0, scratch, pairs)) return false;
         int kept = 0;
         for (int i = 0; i < pairs.Count; i++)
         {
-            PartDistance pair = pairs[i];
+            PairDistance pair = pairs[i];
             if (!pair.IsOverlapping) continue;
             int partA = System.Math.Max(pair.PartA, 0), partB = System.Math.Max(pair.PartB, 0);
-            pairs[kept++] = new PartDistance(
+            pairs[kept++] = new PairDistance(
                 PartQuery.SignedDistance(scratch.A, partA, scratch.B, partB), pair.PartA, pair.PartB);
         }
 

@@ -20,7 +20,7 @@ public static partial class ConcaveQuery
     /// <param name="scratch">Memory for the search.</param>
     /// <param name="maxDistance">World units: further apart, the query may end early.</param>
     /// <returns>What <c>Distance</c> says of the shape and a point; 0 inside a solid.</returns>
-    public static PartDistance Distance(
+    public static PairDistance Distance(
         in AnyShape shape, in RigidPose pose, Vector3 point, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity) =>
         Guard.IsFinite(point) ? Distance(shape, pose, Point, new RigidPose(point), scratch, maxDistance) : Invalid;
@@ -33,7 +33,7 @@ public static partial class ConcaveQuery
     /// <returns>In the world: the point itself where the shape contains it; NaN when the input is invalid.</returns>
     public static Vector3 ClosestPoint(in AnyShape shape, in RigidPose pose, Vector3 point, ConcaveScratch scratch)
     {
-        PartDistance nearest = Distance(shape, pose, point, scratch);
+        PairDistance nearest = Distance(shape, pose, point, scratch);
         return nearest.IsOverlapping ? point : nearest.Result.PointA;
     }
 
@@ -44,7 +44,7 @@ public static partial class ConcaveQuery
     /// <param name="scratch">Memory for the search.</param>
     /// <returns>PointA is the nearest point of the surface, and the point is PointA + Normal · Distance, with either
     /// sign. A surface has no inside, and a compound's has no single depth: 0 there.</returns>
-    public static PartDistance SignedDistance(
+    public static PairDistance SignedDistance(
         in AnyShape shape, in RigidPose pose, Vector3 point, ConcaveScratch scratch) =>
         Guard.IsFinite(point) ? SignedDistance(shape, pose, Point, new RigidPose(point), scratch) : Invalid;
 

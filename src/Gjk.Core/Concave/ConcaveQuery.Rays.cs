@@ -15,21 +15,21 @@ public static partial class ConcaveQuery
     /// equal distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart,
     /// unless shallow contacts are passed; from on its surface into it: a hit at 0. Invalid input, or a scratch that is
     /// null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
-    public static PartRayHit RayCast(
+    public static RayHit RayCast(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity, in CastOptions options = default)
     {
         if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options))
-            return new PartRayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0), PartSide.NoPart);
+            return new RayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
         PartCastSearch.Run(scratch);
         ref PartCastSearch search = ref scratch.CastSearch;
         if (scratch.A.IsSolid && !options.PassesShallow
             && !(search.PartA >= 0 && search.Ray.Status == CastStatus.OverlappingAtStart) && BeginsInOrOn(scratch))
         {
-            PartDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
+            PairDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
             if (start.Distance < 0)
             {
-                return new PartRayHit(
+                return new RayHit(
                     new RayCastResult(
                         CastStatus.OverlappingAtStart, 0, origin, start.Result.Normal, 0, -start.Distance),
                     start.PartA);
@@ -38,15 +38,14 @@ public static partial class ConcaveQuery
             if (start.Distance == 0 && Enters(scratch, direction, search, maxDistance))
             {
                 Vector3 outward = PartQuery.SignedDistance(scratch.A, start.PartA, scratch.B, 0).Normal;
-                return new PartRayHit(
+                return new RayHit(
                     new RayCastResult(CastStatus.Hit, 0, origin, Facing(outward, direction), 0), start.PartA);
             }
         }
 
         return search.PartA >= 0
-            ? new PartRayHit(search.Ray, scratch.A.NumberOf(search.PartA))
-            : new PartRayHit(
-                RayCastResult.Nothing(CastStatus.Miss, Math.Max(maxDistance, 0), 0), PartSide.NoPart);
+            ? new RayHit(search.Ray, scratch.A.NumberOf(search.PartA))
+            : new RayHit(RayCastResult.Nothing(CastStatus.Miss, Math.Max(maxDistance, 0), 0));
     }
 
     /// <summary>Whether a ray begins in a solid or on it; most do not, and need no distance.</summary>
@@ -83,7 +82,7 @@ public static partial class ConcaveQuery
     /// <returns>False when the input is invalid.</returns>
     public static bool RayCastAll(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
-        List<PartRayHit> hits, float maxDistance = float.PositiveInfinity)
+        List<RayHit> hits, float maxDistance = float.PositiveInfinity)
     {
         if (hits is null) return false;
         hits.Clear();

@@ -21,12 +21,16 @@ public static partial class ConcaveQuery
     /// solid. Of pairs that are equally near one is named, for one <paramref name="maxDistance"/> always the same, and
     /// the lower bound is that of all pairs. A <c>default</c> shape or pose, or a scratch that is null, gives
     /// <see cref="GjkStatus.InvalidInput"/>.</returns>
-    public static PartDistance Distance(
+    public static PairDistance Distance(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity)
     {
         if (AreConvex(a, b))
-            return Nothing(ConvexQuery.Distance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB, maxDistance));
+        {
+            return new PairDistance(
+                ConvexQuery.Distance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB, maxDistance));
+        }
+
         if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
         return Ask(scratch, maxDistance, false);
     }
@@ -41,13 +45,13 @@ public static partial class ConcaveQuery
     /// <param name="maxDistance">As of the other.</param>
     /// <returns>The status and the distance are those of the other, to the last bit, and two convex shapes take nothing
     /// from it. Of pairs of parts that are equally near it may name another.</returns>
-    public static PartDistance Distance(
+    public static PairDistance Distance(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ref PartWarmStart warmStart,
         ConcaveScratch scratch, float maxDistance = float.PositiveInfinity)
     {
         if (AreConvex(a, b)) return Distance(a, poseA, b, poseB, scratch, maxDistance);
         if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
-        PartDistance found = Ask(scratch, maxDistance, false, warmStart);
+        PairDistance found = Ask(scratch, maxDistance, false, warmStart);
         if (scratch.Search.PartA >= 0) warmStart.Set(scratch.Search.PartA, scratch.Search.PartB);
         return found;
     }
@@ -64,7 +68,7 @@ public static partial class ConcaveQuery
         Distance(a, poseA, b, poseB, scratch, 0).IsOverlapping;
 
     /// <summary>The distance, or the signed distance, of what the scratch holds.</summary>
-    private static PartDistance Ask(
+    private static PairDistance Ask(
         ConcaveScratch scratch, float maxDistance, bool isSigned, in PartWarmStart guess = default)
     {
         PartSide a = scratch.A, b = scratch.B;
@@ -76,12 +80,12 @@ public static partial class ConcaveQuery
             : DistanceResult.Beyond(Math.Min(Math.Max(maxDistance, 0), search.LowerBound), Vector3.Zero, 0);
         int partA = isFound ? a.NumberOf(search.PartA) : PartSide.NoPart;
         int partB = isFound ? b.NumberOf(search.PartB) : PartSide.NoPart;
-        if (isTouching || !(a.IsSolid || b.IsSolid) || !Containment.TryFind(scratch, out PartDistance inside))
-            return new PartDistance(best, partA, partB);
+        if (isTouching || !(a.IsSolid || b.IsSolid) || !Containment.TryFind(scratch, out PairDistance inside))
+            return new PairDistance(best, partA, partB);
         if (!isSigned || !(a.IsPoint || b.IsPoint)) return inside;
         PartSide outer = a.IsPoint ? b : a, point = a.IsPoint ? a : b;
         double most = MostDistance(outer, a.IsPoint ? search.PartB : search.PartA, point.Pose.Position, best.Distance);
-        return new PartDistance(best.Inside(RoundOff.Down(-most)), partA, partB);
+        return new PairDistance(best.Inside(RoundOff.Down(-most)), partA, partB);
     }
 
     /// <summary>A bound from above of a point's distance to a triangle, of which the rounded one is known.</summary>
@@ -102,13 +106,14 @@ public static partial class ConcaveQuery
     /// distance to the surface, with the nearest point of that and the way out as normal, as there. Else what
     /// <c>Distance</c> says: no single number is the depth of shapes that are not convex, so theirs is 0;
     /// <c>FindDepths</c> has those of the pairs of parts.</returns>
-    public static PartDistance SignedDistance(
+    public static PairDistance SignedDistance(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
         AreConvex(a, b)
-            ? Nothing(ConvexQuery.SignedDistance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB))
+            ? new PairDistance(
+                ConvexQuery.SignedDistance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB))
             : TryBegin(a, poseA, b, poseB, scratch) ? Ask(scratch, float.PositiveInfinity, true) : Invalid;
 
-    private static PartDistance Invalid => Nothing(DistanceResult.Invalid(GjkStatus.InvalidInput, 0));
+    private static PairDistance Invalid => new(DistanceResult.Invalid(GjkStatus.InvalidInput, 0));
 
     private static bool AreConvex(in AnyShape a, in AnyShape b) =>
         a.Kind == AnyShapeKind.Convex && b.Kind == AnyShapeKind.Convex;
@@ -116,7 +121,4 @@ public static partial class ConcaveQuery
     private static bool TryBegin(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
         scratch is not null && scratch.A.TrySet(a, poseA) && scratch.B.TrySet(b, poseB);
-
-    private static PartDistance Nothing(in DistanceResult result) =>
-        new(result, PartSide.NoPart, PartSide.NoPart);
 }

@@ -9,14 +9,14 @@ public sealed class ConcaveScratch
     internal readonly TriangleFilter Filter = new();
     internal readonly PlaneProof Plane = new();
     internal readonly WindingNumber Winding = new();
-    internal readonly List<PartDistance> Pairs = [];
-    internal readonly List<PartContacts> Contacts = [], Pushes = [];
+    internal readonly List<PairDistance> Pairs = [];
+    internal readonly List<PairContacts> Pushes = [];
     internal readonly List<FaceContact> FaceContacts = [], Orphans = [];
     internal readonly List<OpenPlane> Planes = [];
     internal readonly List<bool> AreAtJoints = [];
     internal readonly List<(float Distance, int Contact)> Shallowest = [];
     internal readonly HashSet<(int PartA, int PartB)> Named = [];
-    internal readonly List<PartCast> Casts = [];
+    internal readonly List<CastHit> Casts = [];
     private readonly Stack<ConcaveScratch> _idle = new();
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;

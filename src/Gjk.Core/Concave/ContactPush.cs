@@ -33,12 +33,12 @@ internal static class ContactPush
     /// contact takes apart what holds them.</summary>
     /// <param name="scratch">With both sides, the contacts of faces and the orphans.</param>
     /// <param name="contacts">Those that need no others to be judged, sorted; it is sorted again.</param>
-    public static void AddNeeded(ConcaveScratch scratch, List<PartContacts> contacts)
+    public static void AddNeeded(ConcaveScratch scratch, List<PairContacts> contacts)
     {
         if (scratch.FaceContacts.Count == 0 && scratch.Orphans.Count == 0) return;
         int own = contacts.Count;
         scratch.Named.Clear();
-        foreach (PartContacts one in contacts) scratch.Named.Add((one.PartA, one.PartB));
+        foreach (PairContacts one in contacts) scratch.Named.Add((one.PartA, one.PartB));
         if (scratch.FaceContacts.Count > 0) AddFaces(scratch, contacts);
         if (scratch.Orphans.Count > 0) AddOrphans(scratch, contacts);
         if (contacts.Count > own) InPlaceSort.Sort(contacts);
@@ -46,7 +46,7 @@ internal static class ContactPush
 
     /// <summary>The shallowest face first: what is at most half as deep as a face is collected before it is judged, and
     /// so are the faces before it.</summary>
-    private static void AddFaces(ConcaveScratch scratch, List<PartContacts> contacts)
+    private static void AddFaces(ConcaveScratch scratch, List<PairContacts> contacts)
     {
         List<FaceContact> faces = scratch.FaceContacts;
         List<(float Distance, int Contact)> others = scratch.Shallowest;
@@ -68,12 +68,12 @@ internal static class ContactPush
     }
 
     /// <summary>The deepest orphan first, as its push takes most others apart.</summary>
-    private static void AddOrphans(ConcaveScratch scratch, List<PartContacts> contacts)
+    private static void AddOrphans(ConcaveScratch scratch, List<PairContacts> contacts)
     {
         List<FaceContact> orphans = scratch.Orphans;
         InPlaceSort.Sort(orphans);
         scratch.Pushes.Clear();
-        foreach (PartContacts one in contacts) Collect(one, scratch.Pushes);
+        foreach (PairContacts one in contacts) Collect(one, scratch.Pushes);
         foreach (FaceContact orphan in orphans)
         {
             if (!IsHeld(scratch, orphan) && Add(scratch, orphan, contacts)) Collect(orphan.Contact, scratch.Pushes);
@@ -81,7 +81,7 @@ internal static class ContactPush
     }
 
     /// <summary>Adds a contact, if its parts have none.</summary>
-    private static bool Add(ConcaveScratch scratch, in FaceContact face, List<PartContacts> contacts)
+    private static bool Add(ConcaveScratch scratch, in FaceContact face, List<PairContacts> contacts)
     {
         bool isNew = scratch.Named.Add((face.Contact.PartA, face.Contact.PartB));
         if (isNew) contacts.Add(face.Contact);
@@ -89,7 +89,7 @@ internal static class ContactPush
     }
 
     /// <summary>Adds the push of a contact, unless one of its direction is as deep.</summary>
-    private static void Collect(in PartContacts contact, List<PartContacts> pushes)
+    private static void Collect(in PairContacts contact, List<PairContacts> pushes)
     {
         if (!(contact.Result.Distance <= ContactCone.Slack)) return;
         int nearest = -1;
@@ -106,11 +106,11 @@ internal static class ContactPush
 
     /// <summary>Makes orphans of contacts that another one makes needless: its push takes their parts apart, and theirs
     /// does not do that for it.</summary>
-    public static void RemoveNeedless(ConcaveScratch scratch, List<PartContacts> contacts)
+    public static void RemoveNeedless(ConcaveScratch scratch, List<PairContacts> contacts)
     {
         if (contacts.Count < 2) return;
         scratch.Pushes.Clear();
-        foreach (PartContacts one in contacts) Collect(one, scratch.Pushes);
+        foreach (PairContacts one in contacts) Collect(one, scratch.Pushes);
         int kept = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
@@ -125,7 +125,7 @@ internal static class ContactPush
     /// by much less, it is not the face that they meet, but what it ends at.</summary>
     private static bool IsNeeded(ConcaveScratch scratch, in FaceContact face)
     {
-        foreach (PartContacts push in scratch.Pushes)
+        foreach (PairContacts push in scratch.Pushes)
         {
             if (!AreApart(push, face.Contact)) continue;
             if (TakesApart(scratch, push, face) || IsHeldShorter(scratch, face, push)) return false;
@@ -137,7 +137,7 @@ internal static class ContactPush
     /// <summary>Whether a collected push takes a pair apart that has no contact of its own.</summary>
     private static bool IsHeld(ConcaveScratch scratch, in FaceContact orphan)
     {
-        foreach (PartContacts push in scratch.Pushes)
+        foreach (PairContacts push in scratch.Pushes)
         {
             if (TakesApart(scratch, push, orphan) || IsPushedAlike(scratch, orphan, push)) return true;
             if (push.Result.Distance > orphan.Contact.Result.Distance * MuchLess && AreApart(push, orphan.Contact)
@@ -150,11 +150,11 @@ internal static class ContactPush
         return false;
     }
 
-    private static bool IsNeedless(ConcaveScratch scratch, in PartContacts one)
+    private static bool IsNeedless(ConcaveScratch scratch, in PairContacts one)
     {
         if (!(one.Result.Distance < 0)) return false;
         var pair = new FaceContact(one);
-        foreach (PartContacts push in scratch.Pushes)
+        foreach (PairContacts push in scratch.Pushes)
         {
             if (push.Result.Distance < 0 && AreApart(push, one) && TakesApart(scratch, push, pair)
                 && !TakesApart(scratch, one, new FaceContact(push)))
@@ -166,26 +166,26 @@ internal static class ContactPush
         return false;
     }
 
-    private static bool AreApart(in PartContacts one, in PartContacts other) =>
+    private static bool AreApart(in PairContacts one, in PairContacts other) =>
         Vector3.Dot(one.Manifold.Normal, other.Manifold.Normal) < ContactCone.LeastCosine;
 
     /// <summary>Whether the pair itself has a much shorter way out than the face's, and its convex part is held by a
     /// contact.</summary>
-    private static bool IsHeldShorter(ConcaveScratch scratch, in FaceContact face, in PartContacts other) =>
+    private static bool IsHeldShorter(ConcaveScratch scratch, in FaceContact face, in PairContacts other) =>
         AreOfOneConvex(scratch, face, other) && face.Own > face.Contact.Result.Distance * MuchLess;
 
     /// <summary>Whether a contact pushes a convex part along the face whose place the pair's own way took.</summary>
-    private static bool IsPushedAlike(ConcaveScratch scratch, in FaceContact orphan, in PartContacts push) =>
+    private static bool IsPushedAlike(ConcaveScratch scratch, in FaceContact orphan, in PairContacts push) =>
         push.Result.Distance < 0 && Vector3.Dot(push.Manifold.Normal, orphan.Shortened) > Alike
             && AreOfOneConvex(scratch, orphan, push);
 
-    private static bool AreOfOneConvex(ConcaveScratch scratch, in FaceContact face, in PartContacts other) =>
+    private static bool AreOfOneConvex(ConcaveScratch scratch, in FaceContact face, in PairContacts other) =>
         face.IsOfA
             ? scratch.B.Mesh is null && other.PartB == face.PartB
             : scratch.A.Mesh is null && other.PartA == face.PartA;
 
     /// <summary>Whether a push takes the parts of a pair apart, or goes half the way.</summary>
-    private static bool TakesApart(ConcaveScratch scratch, in PartContacts push, in FaceContact pair)
+    private static bool TakesApart(ConcaveScratch scratch, in PairContacts push, in FaceContact pair)
     {
         Vector3 by = push.Manifold.Normal * LengthOf(push.Result);
         if (pair.Own > 0) return !IsBehind(scratch, pair, by);

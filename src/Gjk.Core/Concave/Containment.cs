@@ -7,16 +7,16 @@ internal static class Containment
     /// <summary>Finds the first piece of either that lies in the other's inside.</summary>
     /// <param name="scratch">With both sides set, whose parts share no point.</param>
     /// <param name="found">That they overlap, at a point of the piece.</param>
-    public static bool TryFind(ConcaveScratch scratch, out PartDistance found)
+    public static bool TryFind(ConcaveScratch scratch, out PairDistance found)
     {
         if (TryFind(scratch, scratch.A, scratch.B, out int part, out DistanceResult result))
         {
-            found = new PartDistance(result, PartSide.NoPart, part);
+            found = new PairDistance(result, PartSide.NoPart, part);
             return true;
         }
 
         bool isInB = TryFind(scratch, scratch.B, scratch.A, out part, out result);
-        found = new PartDistance(result.Swapped, part, PartSide.NoPart);
+        found = new PairDistance(result.Swapped, part, PartSide.NoPart);
         return isInB;
     }
 

@@ -110,7 +110,7 @@ internal static class CoveredSides
     /// <param name="maxGap">In world units.</param>
     /// <param name="way">From the side to the other body, of unit length; 0 where there is none.</param>
     public static bool TryAlong(
-        ref PartContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
+        ref PairContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
         in RigidPose poseB, float maxGap, in Double3 way)
     {
         ContactPlane plane = default;
@@ -127,8 +127,8 @@ internal static class CoveredSides
 
         if (manifold.Count == 0 || !FaceSearch.IsAsDeep(manifold, tip.Gap)) return false;
         DeepestPoint.Lead(ref manifold);
-        contact = new PartContacts(
-            contact.PartA, contact.PartB, DeepestPoint.Result(manifold, contact.Result), manifold);
+        contact = new PairContacts(
+            contact.PartA, contact.PartB, DeepestPoint.Result(manifold, contact.Result), manifold, contact.Pair);
         return true;
     }
 

@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>A contact that may stand for a pair whose own way out does not show, if the pair needs one.</summary>
 internal readonly struct FaceContact : IComparable<FaceContact>
 {
-    public readonly PartContacts Contact;
+    public readonly PairContacts Contact;
 
     /// <summary>The pair; the contact may name another part, where the other side's tip is.</summary>
     public readonly int PartA, PartB;
@@ -21,7 +21,7 @@ internal readonly struct FaceContact : IComparable<FaceContact>
     /// else 0.</summary>
     public readonly Vector3 Shortened;
 
-    public FaceContact(in PartContacts contact, in PartDistance pair, bool isOfA, in DistanceResult own)
+    public FaceContact(in PairContacts contact, in PairDistance pair, bool isOfA, in DistanceResult own)
     {
         Contact = contact;
         (PartA, PartB, IsOfA) = (pair.PartA, pair.PartB, isOfA);
@@ -29,7 +29,7 @@ internal readonly struct FaceContact : IComparable<FaceContact>
     }
 
     /// <summary>A contact along its pair's own way.</summary>
-    public FaceContact(in PartContacts own, bool isOfA = true, Vector3 shortened = default)
+    public FaceContact(in PairContacts own, bool isOfA = true, Vector3 shortened = default)
     {
         Contact = own;
         (PartA, PartB, IsOfA, Shortened) = (own.PartA, own.PartB, isOfA, shortened);

@@ -17,7 +17,7 @@ internal ref struct FaceSearch
     private const float FarLonger = 4;
 
     private readonly ConcaveScratch _scratch;
-    private readonly PartDistance _pair;
+    private readonly PairDistance _pair;
     private readonly DistanceResult _own;
     private readonly float _maxGap;
     private readonly ContactPlane _plane;
@@ -25,7 +25,7 @@ internal ref struct FaceSearch
     private bool _isGhost, _isLed;
 
     public FaceSearch(
-        ConcaveScratch scratch, in PartDistance pair, in DistanceResult own, in ContactPlane plane, float maxGap)
+        ConcaveScratch scratch, in PairDistance pair, in DistanceResult own, in ContactPlane plane, float maxGap)
     {
         (_scratch, _pair, _own, _plane, _maxGap) = (scratch, pair, own, plane, Math.Max(maxGap, 0));
         _best = _standIn = default;
@@ -52,7 +52,7 @@ internal ref struct FaceSearch
     /// <summary>Puts what was found where it belongs.</summary>
     /// <param name="own">The contact along the pair's own way.</param>
     /// <param name="contacts">Gets a contact that is as good as the pair's own.</param>
-    public readonly void Add(in PartContacts own, List<PartContacts> contacts)
+    public readonly void Add(in PairContacts own, List<PairContacts> contacts)
     {
         if (_best.IsThere)
         {
@@ -64,7 +64,7 @@ internal ref struct FaceSearch
         else if (_standIn.IsThere)
         {
             // Of a convex part the own way, where the face's is far longer: it leads out, if not straight.
-            PartContacts face = _standIn.Contact;
+            PairContacts face = _standIn.Contact;
             bool isLong = (_standIn.IsOfA ? _scratch.B : _scratch.A).Mesh is null
                 && face.Result.Distance < FarLonger * _own.Distance;
             _scratch.Orphans.Add(isLong
@@ -157,7 +157,7 @@ internal ref struct FaceSearch
     /// <summary>Takes the shallowest. Parts that do not overlap are not deeper than their gap may be.</summary>
     private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA)
     {
-        PartContacts made = Made(partA, partB, manifold);
+        PairContacts made = Made(partA, partB, manifold);
         if (_own.Distance > 0 && made.Result.Distance < -2 * _maxGap - (float)ContactCone.Slack) return;
         if (!_best.IsThere || _best.Contact.Result.Distance < made.Result.Distance) _best = new(made, isOfA);
     }
@@ -165,21 +165,21 @@ internal ref struct FaceSearch
     /// <summary>Takes a corner to which the other side climbs before other tips, and then the shallowest.</summary>
     private void StandIn(int partA, int partB, in ContactManifold manifold, bool isOfA, bool isLed)
     {
-        PartContacts made = Made(partA, partB, manifold);
+        PairContacts made = Made(partA, partB, manifold);
         if (!(made.Result.Distance < 0) || (_isLed && !isLed)) return;
         if (_standIn.IsThere && _isLed == isLed && _standIn.Contact.Result.Distance >= made.Result.Distance) return;
         (_standIn, _isLed) = (new(made, isOfA), isLed);
     }
 
-    private readonly PartContacts Made(int partA, int partB, ContactManifold manifold)
+    private readonly PairContacts Made(int partA, int partB, ContactManifold manifold)
     {
         DeepestPoint.Lead(ref manifold);
         return new(partA, partB, DeepestPoint.Result(manifold, _own), manifold);
     }
 
-    private readonly struct Candidate(in PartContacts contact, bool isOfA)
+    private readonly struct Candidate(in PairContacts contact, bool isOfA)
     {
-        public readonly PartContacts Contact = contact;
+        public readonly PairContacts Contact = contact;
         public readonly bool IsOfA = isOfA;
 
         public bool IsThere => Contact.Manifold.Count > 0;

@@ -61,10 +61,10 @@ internal struct PartCastSearch
     private bool _isLifted;
 
     /// <summary>Takes every hit of a ray, where it is not null.</summary>
-    public List<PartRayHit>? All;
+    public List<RayHit>? All;
 
     /// <summary>Takes every pair that is met, where it is not null.</summary>
-    public List<PartCast>? AllCasts;
+    public List<CastHit>? AllCasts;
 
     /// <summary>What the parts said; of a ray the other one.</summary>
     public CastResult Cast;
@@ -241,7 +241,7 @@ internal struct PartCastSearch
         if (_motion == PartMotion.Ray)
         {
             RayCastResult met = ConvexQuery.RayCast(a, _a.Pose, _b.Pose.Position, _b.Velocity, most, _options);
-            if (All is not null && met.IsHit) All.Add(new PartRayHit(met, scratch.A.NumberOf(partA)));
+            if (All is not null && met.IsHit) All.Add(new RayHit(met, scratch.A.NumberOf(partA)));
             else if (met.IsHit && Take(met.Order, MetFeature.None, partA, partB)) Ray = met;
             return;
         }
@@ -263,7 +263,7 @@ internal struct PartCastSearch
         }
 
         if (AllCasts is not null)
-            AllCasts.Add(new PartCast(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
+            AllCasts.Add(new CastHit(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
         else if (Take(found.Order, feature, partA, partB)) Cast = found;
     }
 

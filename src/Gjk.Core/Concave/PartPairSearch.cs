@@ -42,7 +42,7 @@ internal struct PartPairSearch
     public TreeFrame Frame;
 
     /// <summary>Takes every pair within the limit, where it is not null.</summary>
-    public List<PartDistance>? All;
+    public List<PairDistance>? All;
 
     /// <summary>Finds the least distance that is at most the limit.</summary>
     /// <param name="scratch">With both sides set.</param>
@@ -192,7 +192,7 @@ internal struct PartPairSearch
         if (found.Status is GjkStatus.BeyondMaxDistance or GjkStatus.InvalidInput or GjkStatus.InvalidShape) return;
         if (All is not null)
         {
-            All.Add(new PartDistance(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB)));
+            All.Add(new PairDistance(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB)));
             return;
         }
 

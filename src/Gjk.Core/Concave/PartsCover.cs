@@ -12,24 +12,24 @@ internal interface ICover
 
 /// <summary>The other parts of the body that a contact is of, as far as they are near the same part of the other body.
 /// What covers a contact is among them, as it is as near.</summary>
-internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PartContacts contact) : ICover
+internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairContacts contact) : ICover
 {
     private readonly PartSide _side = isA ? scratch.A : scratch.B;
     private readonly int _own = isA ? contact.PartA : contact.PartB, _other = isA ? contact.PartB : contact.PartA;
 
-    public Double3 Witness(in PartContacts one) =>
+    public Double3 Witness(in PairContacts one) =>
         CoveredSides.InWorld(isA ? one.Result.LocalPointA : one.Result.LocalPointB, _side.Pose);
 
-    public Double3 Outward(in PartContacts one) => isA ? one.Result.Normal : -one.Result.Normal;
+    public Double3 Outward(in PairContacts one) => isA ? one.Result.Normal : -one.Result.Normal;
 
-    public bool GoesOnAtWitness(in PartContacts one) => GoesOn(Witness(one), Outward(one));
+    public bool GoesOnAtWitness(in PairContacts one) => GoesOn(Witness(one), Outward(one));
 
     public bool GoesOn(in Double3 point, in Double3 direction)
     {
         RotationD turn = new(_side.Pose.Rotation);
         Double3 local = turn.InverseRotate(point - _side.Pose.Position), along = turn.InverseRotate(direction);
         ConvexShape room = default;
-        foreach (PartDistance near in scratch.Pairs)
+        foreach (PairDistance near in scratch.Pairs)
         {
             int part = isA ? near.PartA : near.PartB;
             if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
@@ -45,7 +45,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PartCon
         var pose = new RigidPose((Vector3)point);
         DistanceResult least = default;
         ConvexShape room = default;
-        foreach (PartDistance near in scratch.Pairs)
+        foreach (PairDistance near in scratch.Pairs)
         {
             int part = isA ? near.PartA : near.PartB;
             if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;

@@ -10,7 +10,7 @@ internal static class SeamContacts
     /// <param name="pair">The parts.</param>
     /// <param name="maxGap">In world units.</param>
     /// <param name="contacts">Gets the contact that needs no others to be judged.</param>
-    public static void Find(ConcaveScratch scratch, in PartDistance pair, float maxGap, List<PartContacts> contacts)
+    public static void Find(ConcaveScratch scratch, in PairDistance pair, float maxGap, List<PairContacts> contacts)
     {
         PartSide a = scratch.A, b = scratch.B;
         if (IsInnerWall(a, pair.PartA) || IsInnerWall(b, pair.PartB)) return;
@@ -26,7 +26,7 @@ internal static class SeamContacts
             : (Double3)result.Normal;
         ContactFit fitA = Judge(a, pair.PartA, normal), fitB = Judge(b, pair.PartB, -normal);
         if (!a.IsConvex || !b.IsConvex) DeepestPoint.Lead(ref manifold);
-        var own = new PartContacts(pair.PartA, pair.PartB, result, manifold);
+        var own = new PairContacts(pair.PartA, pair.PartB, result, manifold);
         if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
         {
             contacts.Add(own);
@@ -46,21 +46,21 @@ internal static class SeamContacts
 
     /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap, what
     /// may hold them instead is kept.</summary>
-    public static void RemoveCovered(ConcaveScratch scratch, float maxGap, List<PartContacts> contacts)
+    public static void RemoveCovered(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
         RemoveCovered(scratch, scratch.A, true, maxGap, contacts);
         RemoveCovered(scratch, scratch.B, false, maxGap, contacts);
     }
 
     private static void RemoveCovered(
-        ConcaveScratch scratch, PartSide side, bool isA, float maxGap, List<PartContacts> contacts)
+        ConcaveScratch scratch, PartSide side, bool isA, float maxGap, List<PairContacts> contacts)
     {
         if (side.IsConvex) return;
         List<OpenPlane> planes = scratch.Planes;
         List<bool> areAtJoints = scratch.AreAtJoints;
         planes.Clear();
         areAtJoints.Clear();
-        foreach (PartContacts one in contacts)
+        foreach (PairContacts one in contacts)
         {
             bool isNear = !(-one.Result.Distance > maxGap), isAtJoint = IsAtJoint(scratch, isA, one, isNear);
             areAtJoints.Add(isAtJoint);
@@ -74,7 +74,7 @@ internal static class SeamContacts
         int kept = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
-            PartContacts one = contacts[i];
+            PairContacts one = contacts[i];
             if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
             else if (one.Result.Distance < 0) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
         }
@@ -102,7 +102,7 @@ internal static class SeamContacts
     /// <param name="isA">Whether the body is A.</param>
     /// <param name="one">The contact.</param>
     /// <param name="isNear">Whether it is no deeper than the pairs are near: what covers it is among them.</param>
-    private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PartContacts one, bool isNear = false)
+    private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PairContacts one, bool isNear = false)
     {
         PartSide side = isA ? scratch.A : scratch.B;
         if (side.Compound is null) return false;
@@ -113,7 +113,7 @@ internal static class SeamContacts
     }
 
     private static bool IsCovered(
-        ConcaveScratch scratch, PartSide side, bool isA, in PartContacts one, bool isAtJoint)
+        ConcaveScratch scratch, PartSide side, bool isA, in PairContacts one, bool isAtJoint)
     {
         ConvexShape room = default;
         ref readonly ConvexShape part = ref side.Part(isA ? one.PartA : one.PartB, ref room);
@@ -126,7 +126,7 @@ internal static class SeamContacts
     /// <summary>What holds two parts that overlap, if they need it: the way that the union shows, or else their
     /// own.</summary>
     private static void Replace(
-        ConcaveScratch scratch, PartSide side, bool isA, in PartContacts one, bool isAtJoint, float maxGap)
+        ConcaveScratch scratch, PartSide side, bool isA, in PairContacts one, bool isAtJoint, float maxGap)
     {
         PartSide otherSide = isA ? scratch.B : scratch.A;
         int other = isA ? one.PartB : one.PartA;
@@ -137,14 +137,14 @@ internal static class SeamContacts
         Double3 way = isAtJoint
             ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), -one.Result.Distance, cover)
             : default;
-        PartContacts held = one;
+        PairContacts held = one;
         bool isThere = way.LengthSquared > 0 && Judge(otherSide, other, -way) == ContactFit.Stays
             && IsTipShown(scratch, isA, one, isA ? partA : partB, isA ? partB : partA, way)
             && CoveredSides.TryAlong(ref held, isA, partA, scratch.A.Pose, partB, scratch.B.Pose, maxGap, way)
             && !IsAtJoint(scratch, isA, held);
         if (isThere)
         {
-            var pair = new PartDistance(one.Result, one.PartA, one.PartB);
+            var pair = new PairDistance(one.Result, one.PartA, one.PartB);
             scratch.FaceContacts.Add(new FaceContact(held, pair, isA, one.Result));
         }
         else
@@ -155,7 +155,7 @@ internal static class SeamContacts
 
     /// <summary>Whether a part's tip is over the other body, and its own body ends there.</summary>
     private static bool IsTipShown(
-        ConcaveScratch scratch, bool isA, in PartContacts one, in ConvexShape part, in ConvexShape other,
+        ConcaveScratch scratch, bool isA, in PairContacts one, in ConvexShape part, in ConvexShape other,
         in Double3 way)
     {
         PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
@@ -204,8 +204,8 @@ internal static class SeamContacts
     /// where the tip to which the mesh climbs is over it. The pair has its own contact where its triangle leans, and
     /// else the tip's, if it overlaps.</summary>
     private static bool TryConvex(
-        ConcaveScratch scratch, bool isConvexA, in PartContacts own, in PartDistance pair, in Double3 normal,
-        ContactFit fit, in ConvexShape shape, List<PartContacts> contacts)
+        ConcaveScratch scratch, bool isConvexA, in PairContacts own, in PairDistance pair, in Double3 normal,
+        ContactFit fit, in ConvexShape shape, List<PairContacts> contacts)
     {
         bool isOverlapping = own.Result.Distance < 0;
         PartSide convex = isConvexA ? scratch.A : scratch.B, other = isConvexA ? scratch.B : scratch.A;
@@ -226,14 +226,14 @@ internal static class SeamContacts
             return true;
         }
 
-        PartContacts contact = own;
+        PairContacts contact = own;
         if (fit == ContactFit.Ghost)
         {
             ContactManifold manifold = default;
             manifold.Begin((Vector3)normal);
             manifold.Add(isConvexA ? point : point.Swapped);
             int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
-            contact = new PartContacts(partA, partB, DeepestPoint.Result(manifold, own.Result), manifold);
+            contact = new PairContacts(partA, partB, DeepestPoint.Result(manifold, own.Result), manifold);
         }
 
         scratch.FaceContacts.Add(new FaceContact(contact, pair, isConvexA, own.Result));
@@ -247,7 +247,7 @@ internal static class SeamContacts
         PartSide side = isA ? scratch.A : scratch.B;
         if (side.IsConvex) return false;
         ConvexShape room = default;
-        foreach (PartDistance near in scratch.Pairs)
+        foreach (PairDistance near in scratch.Pairs)
             if (CoveredSides.IsOn(side.Part(isA ? near.PartA : near.PartB, ref room), point)) return true;
         return false;
     }

@@ -15,20 +15,20 @@ internal static class SolidExit
     /// <param name="scratch">With both sides set, which overlap.</param>
     /// <param name="found">Overlapping, with the depth and the parts.</param>
     /// <returns>False where no part is inside a solid.</returns>
-    public static bool TryFind(ConcaveScratch scratch, out PartCast found)
+    public static bool TryFind(ConcaveScratch scratch, out CastHit found)
     {
         bool isFound = TryFind(scratch, scratch.A, scratch.B, out found);
-        if (!TryFind(scratch, scratch.B, scratch.A, out PartCast other)) return isFound;
-        other = new PartCast(other.Result.Swapped, other.PartB, other.PartA);
+        if (!TryFind(scratch, scratch.B, scratch.A, out CastHit other)) return isFound;
+        other = new CastHit(other.Result.Swapped, other.PartB, other.PartA);
         if (!isFound || (other.Result.Depth > found.Result.Depth && !scratch.A.IsSolid)) found = other;
         return true;
     }
 
-    private static bool TryFind(ConcaveScratch scratch, PartSide outer, PartSide inner, out PartCast found)
+    private static bool TryFind(ConcaveScratch scratch, PartSide outer, PartSide inner, out CastHit found)
     {
         found = default;
         if (!outer.IsSolid) return false;
-        List<PartDistance> pairs = scratch.Pairs;
+        List<PairDistance> pairs = scratch.Pairs;
         FindTouching(scratch, outer == scratch.B);
         Exit best = default;
         int next = 0;
@@ -53,7 +53,7 @@ internal static class SolidExit
         }
 
         if (!(best.Depth > 0)) return false;
-        found = new PartCast(
+        found = new CastHit(
             new CastResult(
                 CastStatus.OverlappingAtStart, 0, best.Point, (Vector3)best.Normal, 0, (float)best.Depth),
             best.Triangle, inner.NumberOf(best.Part));
@@ -63,25 +63,25 @@ internal static class SolidExit
     /// <summary>All pairs that touch, as the triangle of the solid and the part of the other, sorted by that.</summary>
     private static void FindTouching(ConcaveScratch scratch, bool isSwapped)
     {
-        List<PartDistance> pairs = scratch.Pairs;
+        List<PairDistance> pairs = scratch.Pairs;
         pairs.Clear();
         scratch.Search.All = pairs;
         PartPairSearch.Run(scratch, 0);
         scratch.Search.All = null;
         for (int i = 0; i < pairs.Count; i++)
         {
-            PartDistance pair = pairs[i];
+            PairDistance pair = pairs[i];
             pairs[i] = isSwapped
-                ? new PartDistance(pair.Result.Swapped, pair.PartA, pair.PartB)
-                : new PartDistance(pair.Result, pair.PartB, pair.PartA);
+                ? new PairDistance(pair.Result.Swapped, pair.PartA, pair.PartB)
+                : new PairDistance(pair.Result, pair.PartB, pair.PartA);
         }
 
         InPlaceSort.Sort(pairs);
         for (int i = 0; i < pairs.Count; i++)
-            pairs[i] = new PartDistance(pairs[i].Result, pairs[i].PartB, Math.Max(pairs[i].PartA, 0));
+            pairs[i] = new PairDistance(pairs[i].Result, pairs[i].PartB, Math.Max(pairs[i].PartA, 0));
     }
 
-    private static bool IsTouching(List<PartDistance> pairs, int part)
+    private static bool IsTouching(List<PairDistance> pairs, int part)
     {
         for (int i = 0; i < pairs.Count; i++)
             if (pairs[i].PartB == part) return true;
@@ -92,7 +92,7 @@ internal static class SolidExit
     private static Exit OfPart(
         ConcaveScratch scratch, PartSide outer, PartSide inner, int part, int first, int end)
     {
-        List<PartDistance> pairs = scratch.Pairs;
+        List<PairDistance> pairs = scratch.Pairs;
         Double3 middle = inner.CenterOf(part);
         bool isInside = Containment.Holds(scratch, outer, middle);
         Exit deepest = default, least = default;

@@ -7,33 +7,12 @@ public sealed partial class CollisionScene
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
     /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
-    /// <param name="id">The object (B), or -1 where there is none.</param>
-    /// <param name="result">When they first touch, with the bits of <c>ConvexQuery.Cast</c>; a miss where there is
-    /// none. An object whose query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its fraction, up
-    /// to which nothing is proved to be in the way.</param>
+    /// <param name="hit">The object (B), or -1 where there is none, the part, and when they first touch, with the bits
+    /// of <c>ConvexQuery.Cast</c>; a miss where there is none. An object whose query ends with
+    /// <see cref="CastStatus.IterationLimit"/> counts as met at its fraction, up to which nothing is proved to be in
+    /// the way.</param>
     /// <param name="maxFraction">How much of the motion is looked at: at least 0; 1 for all of it, more for the same
     /// motion continued.</param>
-    /// <param name="filter">Which objects are seen; by default all.</param>
-    /// <param name="options">Which contacts are passed; by default none.</param>
-    /// <returns>Whether the shape meets an object, or may.</returns>
-    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The motion is not finite, or the fraction is negative or
-    /// NaN.</exception>
-    public bool TryFindCastHit(
-        in ConvexShape shape, in RigidPose pose, Vector3 translation, out int id, out CastResult result,
-        float maxFraction = 1, in QueryFilter filter = default, in CastOptions options = default)
-    {
-        bool isHit = TryFindCastHit(shape, pose, translation, out CastHit hit, maxFraction, filter, options);
-        (id, result) = (hit.Id, hit.Result);
-        return isHit;
-    }
-
-    /// <summary>As the other, with the part of the object.</summary>
-    /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
-    /// <param name="pose">Its pose at the start.</param>
-    /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
-    /// <param name="hit">The object, the part, and when they first touch.</param>
-    /// <param name="maxFraction">How much of the motion is looked at: at least 0.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>Whether the shape meets an object, or may.</returns>
@@ -49,7 +28,7 @@ public sealed partial class CollisionScene
         var first = new FirstCastHit(_objects, moving, maxFraction);
         _phase.Sweep(moving.Path(), ref first);
         hit = first.Hit;
-        return first.Slot >= 0;
+        return hit.Id >= 0;
     }
 
     /// <summary>All objects that a shape meets when it is translated, as it would without the others.</summary>

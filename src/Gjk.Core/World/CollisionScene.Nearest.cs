@@ -11,21 +11,8 @@ public sealed partial class CollisionScene
     /// <summary>The object nearest to one, of those that it is tested against (<see cref="ObjectSettings"/>); of
     /// several the one with the least id.</summary>
     /// <param name="id">The object.</param>
-    /// <param name="other">The nearest other object, or -1 where there is none.</param>
-    /// <param name="result">The distance from the object (A) to the other (B), as <see cref="ConvexQuery"/> has
-    /// it.</param>
-    /// <returns>False when there is no such object.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public bool TryFindNearest(int id, out int other, out DistanceResult result)
-    {
-        bool isFound = TryFindNearest(id, out PairDistance nearest);
-        (other, result) = (nearest.Pair.B, nearest.Result);
-        return isFound;
-    }
-
-    /// <summary>As the other, with the parts.</summary>
-    /// <param name="id">The object.</param>
-    /// <param name="nearest">The object and the nearest other one, or -1 where there is none.</param>
+    /// <param name="nearest">The object (A) and the nearest other one (B), or -1 where there is none, with the distance
+    /// as <see cref="ConvexQuery"/> has it.</param>
     /// <returns>False when there is no such object.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public bool TryFindNearest(int id, out PairDistance nearest)
@@ -39,27 +26,8 @@ public sealed partial class CollisionScene
     /// the least id.</summary>
     /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
     /// <param name="pose">Its pose in the world.</param>
-    /// <param name="id">The nearest object (B), or -1 where there is none.</param>
-    /// <param name="result">The distance, with the bits of <c>ConvexQuery.Distance</c>; <c>default</c> where there is
-    /// none.</param>
-    /// <param name="maxDistance">At least 0: objects further away are not found. Infinite for all.</param>
-    /// <param name="filter">Which objects are seen; by default all.</param>
-    /// <returns>Whether there is such an object.</returns>
-    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
-    public bool TryFindNearest(
-        in ConvexShape shape, in RigidPose pose, out int id, out DistanceResult result,
-        float maxDistance = float.PositiveInfinity, in QueryFilter filter = default)
-    {
-        bool isFound = TryFindNearest(shape, pose, out PairDistance nearest, maxDistance, filter);
-        (id, result) = (nearest.Pair.B, nearest.Result);
-        return isFound;
-    }
-
-    /// <summary>As the other, with the parts.</summary>
-    /// <param name="shape">Any shape but a <c>default</c> struct: A of the result.</param>
-    /// <param name="pose">Its pose in the world.</param>
-    /// <param name="nearest">-1 for the shape, and the nearest object, or -1 where there is none.</param>
+    /// <param name="nearest">-1 for the shape (A), and the nearest object (B), or -1 where there is none; the distance
+    /// with the bits of <c>ConvexQuery.Distance</c>, <c>default</c> where there is none.</param>
     /// <param name="maxDistance">At least 0: objects further away are not found. Infinite for all.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <returns>Whether there is such an object.</returns>
@@ -91,9 +59,7 @@ public sealed partial class CollisionScene
 
         // What lies nearer than the one found may be outside the box in which it was found.
         if (search.Best >= 0 && search.Nearest.Distance > reach) LookWithin(ref search, box, search.Nearest.Distance);
-        int other = search.Best < 0 ? -1 : _objects.Ids[search.Best];
-        PartDistance found = search.Nearest;
-        nearest = new PairDistance(new ObjectPair(id, other), found.Result, found.PartA, found.PartB);
+        nearest = search.Nearest.Of(new ObjectPair(id, search.Best < 0 ? -1 : _objects.Ids[search.Best]));
         return search.Best >= 0;
     }
 
@@ -128,7 +94,7 @@ internal struct NearestSearch
     public int Best;
 
     /// <summary>The distance to it, and the parts that it is between.</summary>
-    public PartDistance Nearest;
+    public PairDistance Nearest;
 
     private readonly SceneObjects _objects;
     private readonly ConvexShape _shape;
@@ -152,7 +118,7 @@ internal struct NearestSearch
         Pose = pose;
         MaxDistance = maxDistance;
         Best = -1;
-        Nearest = new PartDistance(default, PartSide.NoPart, PartSide.NoPart);
+        Nearest = new PairDistance(default);
     }
 
     /// <summary>Takes an object if it is nearer than the best, or as near with a lesser id.</summary>
@@ -160,7 +126,7 @@ internal struct NearestSearch
     {
         if (!IsAsked(slot)) return;
         float limit = Best < 0 ? MaxDistance : Math.Min(MaxDistance, CollisionScene.JustBeyond(Nearest.Distance));
-        PartDistance found = _self < 0
+        PairDistance found = _self < 0
             ? _objects.Parts.Distance(_shape, Pose, slot, limit)
             : _objects.Parts.Distance(_self, slot, limit);
         if (found.Status == GjkStatus.BeyondMaxDistance) return;

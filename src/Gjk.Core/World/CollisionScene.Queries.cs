@@ -115,9 +115,9 @@ public sealed partial class CollisionScene
     private PairDistance DistanceOf(int i)
     {
         ObjectPair ids = _objects.IdsOf(_candidates[i]);
-        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(ids, _pairWarmStarts.Results[i]);
+        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(_pairWarmStarts.Results[i], pair: ids);
         ObjectPair parts = _pairWarmStarts.Parts[i];
-        return new PairDistance(ids, _pairWarmStarts.Results[i], parts.A, parts.B);
+        return new PairDistance(_pairWarmStarts.Results[i], parts.A, parts.B, ids);
     }
 
     private void DecideOverlaps(Workers? workers, bool asksParts = true)

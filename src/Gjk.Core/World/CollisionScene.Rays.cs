@@ -5,26 +5,10 @@ public sealed partial class CollisionScene
     /// <summary>The object that a ray meets first; of several at the same distance, rounded to float, the one with the
     /// least id. Where the ray begins in objects, that is one of these, at distance 0.</summary>
     /// <param name="ray">The ray.</param>
-    /// <param name="id">The object, or -1 where there is none.</param>
-    /// <param name="result">Where the ray meets it, with the bits of <c>ConvexQuery.RayCast</c>; a miss where there is
-    /// none. An object whose query ends with <see cref="CastStatus.IterationLimit"/> counts as met at its distance, up
-    /// to which nothing is proved to be in the way.</param>
-    /// <param name="filter">Which objects are seen; by default all.</param>
-    /// <param name="options">Which contacts are passed; by default none.</param>
-    /// <returns>Whether the ray meets an object, or may.</returns>
-    /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
-    public bool TryFindRayHit(
-        in RayQuery ray, out int id, out RayCastResult result, in QueryFilter filter = default,
-        in CastOptions options = default)
-    {
-        bool isHit = TryFindRayHit(ray, out RayHit hit, filter, options);
-        (id, result) = (hit.Id, hit.Result);
-        return isHit;
-    }
-
-    /// <summary>As the other, with the part of the object.</summary>
-    /// <param name="ray">The ray.</param>
-    /// <param name="hit">The object, the part and where the ray meets it.</param>
+    /// <param name="hit">The object, or -1 where there is none, the part, and where the ray meets it, with the bits of
+    /// <c>ConvexQuery.RayCast</c>; a miss where there is none. An object whose query ends with
+    /// <see cref="CastStatus.IterationLimit"/> counts as met at its distance, up to which nothing is proved to be in
+    /// the way.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>Whether the ray meets an object, or may.</returns>
@@ -36,7 +20,7 @@ public sealed partial class CollisionScene
         var first = new FirstRayHit(_objects, ray, filter, options);
         _phase.Sweep(ray.Path(), ref first);
         hit = first.Hit;
-        return first.Slot >= 0;
+        return hit.Id >= 0;
     }
 
     /// <summary>All objects that a ray meets, as it would without the others.</summary>

@@ -22,16 +22,16 @@ internal readonly struct MovingShape(
         new(_shape, _pose, translation, maxFraction, Filter, _options, at);
 
     /// <summary>When it meets an object.</summary>
-    public PartCast Cast(SceneObjects objects, int slot)
+    public CastHit Cast(SceneObjects objects, int slot)
     {
-        PartCast found = Cast(objects, slot, _pose, _options);
+        CastHit found = Cast(objects, slot, _pose, _options);
         bool isLifted = _lifted != _pose && found.Result.MayHit;
         return isLifted && !Cast(objects, slot, _lifted, UnionLift.OptionsAt(_lifted, _options)).Result.MayHit
-            ? new PartCast(CastResult.Nothing(CastStatus.Miss, maxFraction, 0), PartSide.NoPart, PartSide.NoPart)
+            ? new CastHit(CastResult.Nothing(CastStatus.Miss, maxFraction, 0))
             : found;
     }
 
-    private PartCast Cast(SceneObjects objects, int slot, in RigidPose from, in CastOptions passed)
+    private CastHit Cast(SceneObjects objects, int slot, in RigidPose from, in CastOptions passed)
     {
         if (objects.Parts.Has(slot)) return objects.Parts.Cast(_shape, from, translation, slot, maxFraction, passed);
         ref readonly ConvexShape other = ref objects.Shapes[slot];
@@ -40,18 +40,18 @@ internal readonly struct MovingShape(
         MetFeature feature = found.Status == CastStatus.Hit
             ? MetFeatures.Of(_shape, from, other, at, found.Normal)
             : MetFeature.None;
-        return new PartCast(found, PartSide.NoPart, PartSide.NoPart, feature);
+        return new CastHit(found, feature: feature);
     }
 
     /// <summary>Adds every part of an object that it meets.</summary>
     public void CastAll(SceneObjects objects, int slot, List<CastHit> hits)
     {
         ConcaveScratch scratch = objects.Parts.Rent();
-        List<PartCast> parts = scratch.Casts;
+        List<CastHit> parts = scratch.Casts;
         ConcaveQuery.CastAll(
             AnyShape.Of(_shape), _pose, translation, objects.Parts[slot], objects.Poses[slot], Vector3.Zero, scratch,
             parts, maxFraction, _options);
-        for (int i = 0; i < parts.Count; i++) hits.Add(new CastHit(objects.Ids[slot], parts[i]));
+        for (int i = 0; i < parts.Count; i++) hits.Add(parts[i].Of(objects.Ids[slot]));
         objects.Parts.Return(scratch);
     }
 
@@ -67,14 +67,8 @@ internal readonly struct MovingShape(
 /// <remarks>Each object is asked about the whole motion, as <see cref="FirstRayHit"/> does it.</remarks>
 internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float maxFraction) : ISweepVisitor
 {
-    /// <summary>The slot of the first object, or -1.</summary>
-    public int Slot = -1;
-
-    /// <summary>When the shape meets it.</summary>
-    public readonly CastResult Result => _first.Result;
-
-    private PartCast _first =
-        new(CastResult.Nothing(CastStatus.Miss, maxFraction, 0), PartSide.NoPart, PartSide.NoPart);
+    /// <summary>What was found; an id of -1 where nothing was.</summary>
+    public CastHit Hit = new(CastResult.Nothing(CastStatus.Miss, maxFraction, 0));
 
     private readonly MovingShape _shape = shape;
     private double _limit = double.PositiveInfinity;
@@ -82,22 +76,17 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float m
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _shape.Filter)) return _limit;
-        Take(slot, _shape.Cast(objects, slot));
+        Take(objects.Ids[slot], _shape.Cast(objects, slot));
         return _limit;
     }
 
-    /// <summary>What was found.</summary>
-    public readonly CastHit Hit => new(Slot < 0 ? -1 : objects.Ids[Slot], _first);
-
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(int slot, in PartCast found)
+    public void Take(int id, in CastHit found)
     {
         if (!found.Result.MayHit) return;
-        int order = Slot < 0 ? -1 : found.Result.Order.CompareTo(_first.Result.Order);
-        if (order == 0) order = found.Feature.CompareTo(_first.Feature);
-        if (order > 0 || (order == 0 && slot > Slot)) return;
-        Slot = slot;
-        _first = found;
+        CastHit hit = found.Of(id);
+        if (Hit.Id >= 0 && hit.CompareTo(Hit) > 0) return;
+        Hit = hit;
         _limit = SweptBox.After(found.Fraction);
     }
 }
@@ -109,10 +98,10 @@ internal readonly struct AllCastHits(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, shape.Filter)) return double.PositiveInfinity;
-        PartCast found = shape.Cast(objects, slot);
+        CastHit found = shape.Cast(objects, slot);
         if (!found.Result.MayHit) return double.PositiveInfinity;
         if (eachPart && objects.Parts.Has(slot)) shape.CastAll(objects, slot, hits);
-        else hits.Add(new CastHit(objects.Ids[slot], found));
+        else hits.Add(found.Of(objects.Ids[slot]));
         return double.PositiveInfinity;
     }
 }

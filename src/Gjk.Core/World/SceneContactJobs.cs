@@ -49,7 +49,7 @@ internal readonly struct SceneDepthJob(
 
             DistanceResult depth = ConvexQuery.SignedDistance(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B]);
-            answers[i] = new PairDistance(objects.IdsOf(pair), depth);
+            answers[i] = new PairDistance(depth, pair: objects.IdsOf(pair));
         }
 
         if (scratch is not null) objects.Parts.Return(scratch);
@@ -78,7 +78,8 @@ internal readonly struct SceneContactJob(
             DistanceResult depth = ConvexQuery.Contacts(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
                 maxGap, out manifold);
-            answers[i] = new PairContacts(objects.IdsOf(pair), depth, manifold);
+            answers[i] = new PairContacts(
+                PartSide.NoPart, PartSide.NoPart, depth, manifold, objects.IdsOf(pair));
         }
 
         if (scratch is not null) objects.Parts.Return(scratch);

@@ -117,7 +117,7 @@ internal readonly struct SceneDistanceJob(
         for (int i = begin; i < end; i++)
         {
             if (warmStarts.Kept[i] || !objects.Parts.Has(pairs[i])) continue;
-            PartDistance found = objects.Parts.Distance(pairs[i], maxDistance, scratch);
+            PairDistance found = objects.Parts.Distance(pairs[i], maxDistance, scratch);
             warmStarts.Results[i] = found.Result;
             warmStarts.Parts[i] = new ObjectPair(found.PartA, found.PartB);
         }

@@ -84,54 +84,53 @@ internal sealed class ScenePartQueries(SceneObjects objects)
 
     public void Return(ConcaveScratch scratch) => _scratches.Return(scratch);
 
-    public PartDistance Distance(ObjectPair pair, float maxDistance, ConcaveScratch scratch) =>
+    public PairDistance Distance(ObjectPair pair, float maxDistance, ConcaveScratch scratch) =>
         ConcaveQuery.Distance(
             this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, maxDistance);
 
     /// <summary>The distance from an object to another one.</summary>
-    public PartDistance Distance(int slotA, int slot, float maxDistance) => Has(slotA)
+    public PairDistance Distance(int slotA, int slot, float maxDistance) => Has(slotA)
         ? Distance(_shapes[slotA], objects.Poses[slotA], slot, maxDistance)
         : Distance(objects.Shapes[slotA], objects.Poses[slotA], slot, maxDistance);
 
     /// <summary>The distance from a shape that is none of the scene's to an object.</summary>
-    public PartDistance Distance(in ConvexShape shape, in RigidPose pose, int slot, float maxDistance) => Has(slot)
+    public PairDistance Distance(in ConvexShape shape, in RigidPose pose, int slot, float maxDistance) => Has(slot)
         ? Distance(AnyShape.Of(shape), pose, slot, maxDistance)
-        : new PartDistance(
-            ConvexQuery.Distance(shape, pose, objects.Shapes[slot], objects.Poses[slot], maxDistance), PartSide.NoPart,
-            PartSide.NoPart);
+        : new PairDistance(
+            ConvexQuery.Distance(shape, pose, objects.Shapes[slot], objects.Poses[slot], maxDistance));
 
-    private PartDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
+    private PairDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
     {
         ConcaveScratch scratch = Rent();
-        PartDistance found = ConcaveQuery.Distance(
+        PairDistance found = ConcaveQuery.Distance(
             shape, pose, this[slot], objects.Poses[slot], scratch, maxDistance);
         Return(scratch);
         return found;
     }
 
     /// <summary>Where a ray meets an object, convex or not.</summary>
-    public PartRayHit RayCast(int slot, in RayQuery ray, in CastOptions options)
+    public RayHit RayCast(int slot, in RayQuery ray, in CastOptions options)
     {
         if (!Has(slot))
         {
             RayCastResult convex = ConvexQuery.RayCast(
                 objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options);
-            return new PartRayHit(convex, PartSide.NoPart);
+            return new RayHit(convex);
         }
 
         ConcaveScratch scratch = Rent();
-        PartRayHit found = ConcaveQuery.RayCast(
+        RayHit found = ConcaveQuery.RayCast(
             _shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, scratch, ray.MaxDistance, options);
         Return(scratch);
         return found;
     }
 
-    public PartCast Cast(
+    public CastHit Cast(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, int slot, float maxFraction,
         in CastOptions options)
     {
         ConcaveScratch scratch = Rent();
-        PartCast found = ConcaveQuery.Cast(
+        CastHit found = ConcaveQuery.Cast(
             AnyShape.Of(shape), pose, translation, _shapes[slot], objects.Poses[slot], Vector3.Zero, scratch,
             maxFraction, options);
         Return(scratch);
@@ -141,25 +140,16 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>The depths of all pairs of parts of two objects.</summary>
     public void FindDepths(ObjectPair pair, ConcaveScratch scratch, List<PairDistance> depths)
     {
-        depths.Clear();
-        List<PartDistance> found = scratch.Pairs;
         ConcaveQuery.FindDepths(
-            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, found);
-        for (int i = 0; i < found.Count; i++)
-            depths.Add(new PairDistance(objects.IdsOf(pair), found[i].Result, found[i].PartA, found[i].PartB));
+            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, depths);
+        for (int i = 0; i < depths.Count; i++) depths[i] = depths[i].Of(objects.IdsOf(pair));
     }
 
     /// <summary>The contacts of all pairs of parts of two objects.</summary>
     public void FindContacts(ObjectPair pair, float maxGap, ConcaveScratch scratch, List<PairContacts> contacts)
     {
-        contacts.Clear();
-        List<PartContacts> found = scratch.Contacts;
         ConcaveQuery.FindContacts(
-            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], maxGap, scratch, found);
-        for (int i = 0; i < found.Count; i++)
-        {
-            PartContacts one = found[i];
-            contacts.Add(new PairContacts(objects.IdsOf(pair), one.Result, one.Manifold, one.PartA, one.PartB));
-        }
+            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], maxGap, scratch, contacts);
+        for (int i = 0; i < contacts.Count; i++) contacts[i] = contacts[i].Of(objects.IdsOf(pair));
     }
 }

@@ -6,14 +6,8 @@ namespace Gjk.Core;
 internal struct FirstRayHit(
     SceneObjects objects, in RayQuery ray, in QueryFilter filter, in CastOptions options) : ISweepVisitor
 {
-    /// <summary>The slot of the first object, or -1.</summary>
-    public int Slot = -1;
-
-    /// <summary>The part of it, or -1.</summary>
-    public int Part = PartSide.NoPart;
-
-    /// <summary>Where the ray meets it.</summary>
-    public RayCastResult Result = RayCastResult.Nothing(CastStatus.Miss, ray.MaxDistance, 0);
+    /// <summary>What was found; an id of -1 where nothing was.</summary>
+    public RayHit Hit = new(RayCastResult.Nothing(CastStatus.Miss, ray.MaxDistance, 0));
 
     private readonly RayQuery _ray = ray;
     private readonly QueryFilter _filter = filter;
@@ -21,26 +15,20 @@ internal struct FirstRayHit(
     private readonly double _length = ray.Length;
     private double _limit = double.PositiveInfinity;
 
-    /// <summary>What was found.</summary>
-    public readonly RayHit Hit => new(Slot < 0 ? -1 : objects.Ids[Slot], Result, Part);
-
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _filter)) return _limit;
-        PartRayHit hit = objects.Parts.RayCast(slot, _ray, _options);
-        Take(slot, hit.Result, hit.Part);
+        Take(objects.Ids[slot], objects.Parts.RayCast(slot, _ray, _options));
         return _limit;
     }
 
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(int slot, in RayCastResult found, int part = PartSide.NoPart)
+    public void Take(int id, in RayHit found)
     {
-        if (!found.MayHit) return;
-        int order = Slot < 0 ? -1 : found.Order.CompareTo(Result.Order);
-        if (order > 0 || (order == 0 && slot > Slot)) return;
-        Slot = slot;
-        Part = part;
-        Result = found;
+        if (!found.Result.MayHit) return;
+        RayHit hit = found.Of(id);
+        if (Hit.Id >= 0 && hit.CompareTo(Hit) > 0) return;
+        Hit = hit;
 
         // Twice, since the distance and the fraction are rounded each on its own scale.
         _limit = SweptBox.After(SweptBox.After(found.Distance) / _length);
@@ -54,8 +42,8 @@ internal readonly struct AllRayHits(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, filter)) return double.PositiveInfinity;
-        PartRayHit found = objects.Parts.RayCast(slot, ray, options);
-        if (found.Result.MayHit) hits.Add(new RayHit(objects.Ids[slot], found.Result, found.Part));
+        RayHit found = objects.Parts.RayCast(slot, ray, options);
+        if (found.Result.MayHit) hits.Add(found.Of(objects.Ids[slot]));
         return double.PositiveInfinity;
     }
 }

@@ -188,13 +188,10 @@ internal sealed class SceneSeams(SceneObjects objects)
             RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
             Double3 way = CoveredSides.WayFrom(
                 Witness, Outward, -_contact.Result.Distance, new GroundCover(_objects, Ground, grounds));
-            var found = new PartContacts(
-                _contact.PartA, _contact.PartB, _contact.Result, _contact.Manifold);
-            bool isThere = _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
-                ? CoveredSides.TryAlong(ref found, false, body, bodyPose, ground, pose, maxGap, way)
-                : CoveredSides.TryAlong(ref found, true, ground, pose, body, bodyPose, maxGap, way));
-            straight = new PairContacts(_contact.Pair, found.Result, found.Manifold, found.PartA, found.PartB);
-            return isThere;
+            straight = _contact;
+            return _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
+                ? CoveredSides.TryAlong(ref straight, false, body, bodyPose, ground, pose, maxGap, way)
+                : CoveredSides.TryAlong(ref straight, true, ground, pose, body, bodyPose, maxGap, way));
         }
 
         /// <summary>Whether another contact's push takes the body out of this part.</summary>

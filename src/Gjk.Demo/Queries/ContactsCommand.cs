@@ -15,14 +15,14 @@ internal static class ContactsCommand
     {
         SceneObject[] objects = scene.Objects;
         var scratch = new ConcaveScratch();
-        var contacts = new List<PartContacts>();
+        var contacts = new List<PairContacts>();
         return table.Write(
             CsvWriter.Contacts,
             (rows, a, b) =>
             {
                 ConcaveQuery.FindContacts(
                     objects[a].Any, objects[a].Pose, objects[b].Any, objects[b].Pose, maxGap, scratch, contacts);
-                foreach (PartContacts pair in contacts)
+                foreach (PairContacts pair in contacts)
                 {
                     for (int i = 0; i < pair.Manifold.Count; i++) rows.Write(a, b, pair, i);
                 }

@@ -66,7 +66,7 @@ internal sealed class CsvWriter
     }
 
     /// <summary>A row of <see cref="Distances"/> and <see cref="Parts"/>.</summary>
-    public void Write(int a, int b, in PartDistance result, CheckStatus verdict = default)
+    public void Write(int a, int b, in PairDistance result, CheckStatus verdict = default)
     {
         AddRow(a, b, result.Result);
         AddPart(result.PartA);
@@ -79,7 +79,7 @@ internal sealed class CsvWriter
     /// <param name="b">The second object.</param>
     /// <param name="contacts">What two parts of them have.</param>
     /// <param name="index">The point among those of the two parts.</param>
-    public void Write(int a, int b, in PartContacts contacts, int index)
+    public void Write(int a, int b, in PairContacts contacts, int index)
     {
         if (_used > BufferBytes - RowBytes) Flush();
         ManifoldPoint point = contacts.Manifold[index];

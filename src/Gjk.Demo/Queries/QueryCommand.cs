@@ -26,7 +26,7 @@ internal static class QueryCommand
             CsvWriter.Distances + (parts ? CsvWriter.Parts : ""),
             (rows, a, b) =>
             {
-                PartDistance answer = Answer(objects[a], objects[b], maxDistance, depth, scratch);
+                PairDistance answer = Answer(objects[a], objects[b], maxDistance, depth, scratch);
                 if (onlyNear && answer.Result.Status == GjkStatus.BeyondMaxDistance) return;
                 CheckStatus verdict = table.IsChecked ? Check(objects[a], objects[b], answer.Result, depth) : default;
                 if (parts) rows.Write(a, b, answer, verdict);
@@ -35,12 +35,12 @@ internal static class QueryCommand
             cancel);
     }
 
-    private static PartDistance Answer(
+    private static PairDistance Answer(
         SceneObject a, SceneObject b, float maxDistance, bool depth, ConcaveScratch scratch)
     {
         if (!depth || !float.IsPositiveInfinity(maxDistance))
         {
-            PartDistance result = ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, scratch, maxDistance);
+            PairDistance result = ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, scratch, maxDistance);
             if (!depth || !result.IsOverlapping) return result;
         }
 

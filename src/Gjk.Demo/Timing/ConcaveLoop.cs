@@ -81,7 +81,7 @@ internal sealed class ConcaveLoop
         {
             _cancel.ThrowIfCancellationRequested();
             int a = _a[i], b = _b[i];
-            PartCast cast = ConcaveQuery.Cast(
+            CastHit cast = ConcaveQuery.Cast(
                 _shapes[a], _poses[a], _velocities[a], _shapes[b], _poses[b], _velocities[b], _scratch);
             iterations += cast.Result.Iterations;
         }

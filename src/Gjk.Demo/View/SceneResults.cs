@@ -149,7 +149,7 @@ internal sealed class SceneResults
         }
 
         _manifold.Clear();
-        PartDistance answer = ConcaveQuery.SignedDistance(a.Any, poseA, b.Any, poseB, _scratch);
+        PairDistance answer = ConcaveQuery.SignedDistance(a.Any, poseA, b.Any, poseB, _scratch);
         (PartA[index], PartB[index]) = (answer.PartA, answer.PartB);
         return answer.Result;
     }

@@ -93,9 +93,9 @@ internal static class SceneRun
             }
 
             var place = new RigidPose(pose.Rotation, pose.Position + motion);
-            scene.TryFindNearest(shape, place, out int id, out DistanceResult nearest);
-            hash.Add(id);
-            hash.Add(nearest);
+            scene.TryFindNearest(shape, place, out PairDistance nearest);
+            hash.Add(nearest.Pair.B);
+            hash.Add(nearest.Result);
         }
     }
 

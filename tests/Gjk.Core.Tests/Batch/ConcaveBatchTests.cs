@@ -19,12 +19,12 @@ public class ConcaveBatchTests
             .. from a in Enumerable.Range(0, Count) from b in Enumerable.Range(0, Count) where a != b
                select new ObjectPair(a, b),
         ];
-        var results = new PartDistance[pairs.Length];
+        var results = new PairDistance[pairs.Length];
         var warmStarts = new PartWarmStart[pairs.Length];
         var scratch = new ConcaveScratch();
         for (int frame = 0; frame < 4; frame++)
         {
-            PartDistance[] expected =
+            PairDistance[] expected =
             [
                 .. pairs.Select(p => ConcaveQuery.Distance(
                     shapes[p.A], poses[p.A], shapes[p.B], poses[p.B], scratch, 3)),
@@ -59,8 +59,8 @@ public class ConcaveBatchTests
             AnyShape a = ConcaveShapes.Any(random), b = ConcaveShapes.Any(random);
             RigidPose poseA = ConcaveShapes.Pose(random, 1.5), poseB = ConcaveShapes.Pose(random, 1.5);
             float limit = random.OneIn(2) ? 0.3f : float.PositiveInfinity;
-            PartDistance cold = ConcaveQuery.Distance(a, poseA, b, poseB, scratch, limit);
-            PartDistance found = ConcaveQuery.Distance(a, poseA, b, poseB, ref warm, scratch, limit);
+            PairDistance cold = ConcaveQuery.Distance(a, poseA, b, poseB, scratch, limit);
+            PairDistance found = ConcaveQuery.Distance(a, poseA, b, poseB, ref warm, scratch, limit);
             Assert.Equal((cold.Status, cold.Distance), (found.Status, found.Distance));
             Assert.True(found.Status == GjkStatus.BeyondMaxDistance || found.Result.LowerBound <= cold.Distance);
             if (random.OneIn(9)) warm.Clear();
@@ -73,7 +73,7 @@ public class ConcaveBatchTests
         AnyShape[] shapes = [AnyShape.Of(ConvexShape.Sphere(1)), AnyShape.Surface(ConcaveShapes.Grid(2))];
         RigidPose[] poses = [RigidPose.Identity, new RigidPose(new Vector3(0, 3, 0))];
         ObjectPair[] pairs = [new(0, 1)];
-        var results = new PartDistance[1];
+        var results = new PairDistance[1];
         var scratch = new ConcaveScratch();
         Assert.Throws<ArgumentNullException>(() => PairBatch.Distance(shapes, poses, pairs, results, null!));
         Assert.Throws<ArgumentException>(() => PairBatch.Distance(shapes, poses, pairs, results, scratch, []));

@@ -20,7 +20,7 @@ public class BruteForceTests
             DistanceResult least = all[0];
             foreach (DistanceResult one in all)
                 if (one.Distance < least.Distance) least = one;
-            PartDistance found = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, _scratch);
+            PairDistance found = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, _scratch);
             string name = $"seed {seed}: {found}, least {least}";
             Assert.True(found.Distance == least.Distance, name);
             Assert.True(found.Result.LowerBound <= least.Distance, name);
@@ -40,12 +40,12 @@ public class BruteForceTests
         for (int seed = 0; seed < Pairs; seed++)
         {
             var pair = new Pair(seed);
-            PartDistance found = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, _scratch);
-            PartDistance within = ConcaveQuery.Distance(
+            PairDistance found = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, _scratch);
+            PairDistance within = ConcaveQuery.Distance(
                 pair.A, pair.PoseA, pair.B, pair.PoseB, _scratch, found.Distance);
             Assert.True(found.Distance == within.Distance, $"seed {seed}");
             if (found.IsOverlapping) continue;
-            PartDistance beyond = ConcaveQuery.Distance(
+            PairDistance beyond = ConcaveQuery.Distance(
                 pair.A, pair.PoseA, pair.B, pair.PoseB, _scratch, found.Distance * 0.999f);
             Assert.True(beyond.Status == GjkStatus.BeyondMaxDistance, $"seed {seed}: {beyond}");
             Assert.True(beyond.Result.LowerBound <= found.Distance, $"seed {seed}");
@@ -55,7 +55,7 @@ public class BruteForceTests
     [Fact]
     public void ThePairsWithinADistanceAreAllOfThem()
     {
-        var pairs = new List<PartDistance>();
+        var pairs = new List<PairDistance>();
         for (int seed = 0; seed < Pairs; seed++)
         {
             var pair = new Pair(seed);
@@ -81,14 +81,14 @@ public class BruteForceTests
     [Fact]
     public void DepthsAreThoseOfTheOverlappingParts()
     {
-        var pairs = new List<PartDistance>();
+        var pairs = new List<PairDistance>();
         for (int seed = 0; seed < Pairs; seed += 4)
         {
             var pair = new Pair(seed);
             List<DistanceResult> all = pair.All(
                 (in ConvexShape a, in ConvexShape b) => ConvexQuery.SignedDistance(a, pair.PoseA, b, pair.PoseB));
             Assert.True(ConcaveQuery.FindDepths(pair.A, pair.PoseA, pair.B, pair.PoseB, _scratch, pairs));
-            foreach (PartDistance one in pairs)
+            foreach (PairDistance one in pairs)
                 Assert.True(all[pair.Index(one.PartA, one.PartB)].Distance == one.Distance, $"seed {seed}: {one}");
             Assert.Equal(all.FindAll(one => one.IsOverlapping).Count, pairs.Count);
         }
@@ -106,7 +106,7 @@ public class BruteForceTests
             if (random.OneIn(10)) wayB = wayA;
             List<CastResult> all = pair.All(
                 (in ConvexShape a, in ConvexShape b) => ConvexQuery.Cast(a, pair.PoseA, wayA, b, pair.PoseB, wayB));
-            PartCast found = ConcaveQuery.Cast(pair.A, pair.PoseA, wayA, pair.B, pair.PoseB, wayB, _scratch);
+            CastHit found = ConcaveQuery.Cast(pair.A, pair.PoseA, wayA, pair.B, pair.PoseB, wayB, _scratch);
             int least = -1;
             for (int i = 0; i < all.Count; i++)
             {
@@ -138,7 +138,7 @@ public class BruteForceTests
                 pair.PoseB, (pair.PoseA.Position - pair.PoseB.Position) * 1.5f, random.Vector(1));
             List<CastResult> all = pair.All(
                 (in ConvexShape a, in ConvexShape b) => ConvexQuery.TimeOfImpact(a, motionA, b, motionB));
-            PartCast found = ConcaveQuery.TimeOfImpact(pair.A, motionA, pair.B, motionB, _scratch);
+            CastHit found = ConcaveQuery.TimeOfImpact(pair.A, motionA, pair.B, motionB, _scratch);
             float least = float.PositiveInfinity;
             foreach (CastResult one in all)
                 if (one.IsHit && one.Fraction < least) least = one.Fraction;
@@ -151,7 +151,7 @@ public class BruteForceTests
     [Fact]
     public void ARayMeetsThePartsInTheirOrder()
     {
-        var hits = new List<PartRayHit>();
+        var hits = new List<RayHit>();
         int met = 0;
         for (int seed = 0; seed < 3 * Pairs; seed++)
         {
@@ -169,7 +169,7 @@ public class BruteForceTests
                 if (one.Distance < distance) (least, distance) = (i, one.Distance);
             }
 
-            PartRayHit found = ConcaveQuery.RayCast(pair.A, pair.PoseA, origin, direction, _scratch);
+            RayHit found = ConcaveQuery.RayCast(pair.A, pair.PoseA, origin, direction, _scratch);
             Assert.True(least >= 0 == found.IsHit, $"seed {seed}: {found}");
             Assert.True(ConcaveQuery.RayCastAll(pair.A, pair.PoseA, origin, direction, _scratch, hits));
             Assert.Equal(count, hits.Count);

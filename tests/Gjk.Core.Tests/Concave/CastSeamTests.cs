@@ -29,24 +29,24 @@ public class CastSeamTests
             Vector3 down = new(0, -way, 0);
             foreach (AnyShape ground in new[] { floor, AnyShape.Of(slabs) })
             {
-                PartCast hit = ConcaveQuery.Cast(
+                CastHit hit = ConcaveQuery.Cast(
                     ground, RigidPose.Identity, Vector3.Zero, ball, from, down, scratch);
                 AssertUp(hit.Result.Normal, $"{hit} {ground.Kind}");
                 var scene = new CollisionScene();
                 scene.Add(ground, RigidPose.Identity);
-                Assert.True(scene.TryFindCastHit(ball.Convex, from, down, out _, out CastResult first));
-                AssertUp(-first.Normal, $"{first} in a scene");
+                Assert.True(scene.TryFindCastHit(ball.Convex, from, down, out CastHit first));
+                AssertUp(-first.Result.Normal, $"{first} in a scene");
                 var turning = new RigidMotion(from, down, new Vector3(0, 0.1f, 0));
-                PartCast impact = ConcaveQuery.TimeOfImpact(
+                CastHit impact = ConcaveQuery.TimeOfImpact(
                     ground, new RigidMotion(RigidPose.Identity, Vector3.Zero), ball, turning, scratch, radius * 1e-4f);
                 Assert.True(impact.Result.Normal.Y > 0.999f, $"{impact}");
             }
 
-            Assert.True(flush.TryFindCastHit(ball.Convex, from, down, out _, out CastResult met));
-            AssertUp(-met.Normal, $"{met} on flush boxes");
+            Assert.True(flush.TryFindCastHit(ball.Convex, from, down, out CastHit met));
+            AssertUp(-met.Result.Normal, $"{met} on flush boxes");
             var slanted = new RayQuery(new Vector3(side * 0.4f, 0.5f, 0), new Vector3(-side, -1, 0));
-            Assert.True(flush.TryFindRayHit(slanted, out _, out RayCastResult ray));
-            AssertUp(ray.Normal, $"{ray}");
+            Assert.True(flush.TryFindRayHit(slanted, out RayHit ray));
+            AssertUp(ray.Result.Normal, $"{ray}");
         }
     }
 
@@ -71,13 +71,13 @@ public class CastSeamTests
             new CompoundPart(slab, at),
         ];
         var scratch = new ConcaveScratch();
-        var hits = new List<PartCast>();
+        var hits = new List<CastHit>();
         var from = new RigidPose(new Vector3(0, 4, 0));
         for (int first = 0; first < 3; first++)
         {
             CompoundPart[] turned = [.. parts.Skip(first), .. parts.Take(first)];
             var ground = AnyShape.Of(new CompoundShape(turned));
-            PartCast hit = ConcaveQuery.Cast(
+            CastHit hit = ConcaveQuery.Cast(
                 ground, RigidPose.Identity, Vector3.Zero, ball, from, new Vector3(0, -5, 0), scratch);
             Assert.Equal(((3 - first + 2) % 3, 2), (hit.PartA, hit.PartB));
             Assert.True(ConcaveQuery.CastAll(

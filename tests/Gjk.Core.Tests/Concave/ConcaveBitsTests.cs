@@ -18,13 +18,13 @@ public class ConcaveBitsTests
             var random = new FuzzRandom((ulong)seed);
             AnyShape a = ConcaveShapes.Any(random), b = ConcaveShapes.Any(random);
             RigidPose poseA = ConcaveShapes.Pose(random, 1.5), poseB = ConcaveShapes.Pose(random, 1.5);
-            PartDistance found = ConcaveQuery.Distance(a, poseA, b, poseB, scratch);
+            PairDistance found = ConcaveQuery.Distance(a, poseA, b, poseB, scratch);
             Add(found.PartA);
             Add(found.PartB);
             Add(BitConverter.SingleToInt32Bits(found.Distance + 0f));
             Add(BitConverter.SingleToInt32Bits(found.Result.LowerBound + 0f));
             Add(BitConverter.SingleToInt32Bits(found.Result.PointA.X + 0f));
-            PartCast cast = ConcaveQuery.Cast(
+            CastHit cast = ConcaveQuery.Cast(
                 a, poseA, default, b, poseB, poseA.Position - poseB.Position, scratch);
             Add(cast.PartA);
             Add(BitConverter.SingleToInt32Bits(cast.Fraction + 0f));

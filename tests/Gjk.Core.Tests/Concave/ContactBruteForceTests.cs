@@ -9,7 +9,7 @@ public class ContactBruteForceTests
 {
     private const float Reach = 0.02f;
     private readonly ConcaveScratch _scratch = new();
-    private readonly List<PartContacts> _contacts = [];
+    private readonly List<PairContacts> _contacts = [];
 
     [Fact]
     public void TheContactsAreThoseOfAllTrianglesThatTheSurfaceShows()

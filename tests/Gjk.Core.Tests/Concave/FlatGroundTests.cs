@@ -29,7 +29,7 @@ public class FlatGroundTests
     {
         AnyShape floor = Ground(ground);
         var scratch = new ConcaveScratch();
-        var contacts = new List<PartContacts>();
+        var contacts = new List<PairContacts>();
         var rng = new Rng((ulong)(ground.Length + 100 * body.Length));
         bool isSheet = ground is "two triangles" or "field";
         float[] tilts = isSheet ? [1e-7f, 1e-6f, 1e-5f] : [1e-6f, 1e-3f, 0.1f, 3];
@@ -55,7 +55,7 @@ public class FlatGroundTests
                         : ConcaveQuery.FindContacts(shape, pose, floor, RigidPose.Identity, MaxGap, scratch, contacts));
                     string what = $"{ground}, {body} {i}, {depth} deep at {pose}";
                     float deepest = float.PositiveInfinity;
-                    foreach (PartContacts contact in contacts)
+                    foreach (PairContacts contact in contacts)
                     {
                         float up = isGroundA ? contact.Manifold.Normal.Y : -contact.Manifold.Normal.Y;
                         Assert.True(up > Straight, $"{what}: {contact}");

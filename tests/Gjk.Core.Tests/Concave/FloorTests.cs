@@ -5,7 +5,7 @@ public class FloorTests
 {
     private const float Reach = 0.02f;
     private readonly ConcaveScratch _scratch = new();
-    private readonly List<PartContacts> _contacts = [];
+    private readonly List<PairContacts> _contacts = [];
 
     [Theory]
     [InlineData("plain")]
@@ -31,7 +31,7 @@ public class FloorTests
             RigidPose at = SeamBodies.Placed(body, over, yaw, -0.001f - i / 7 % 3 * 0.004f);
             Assert.True(ConcaveQuery.FindContacts(floor, RigidPose.Identity, body, at, Reach, _scratch, _contacts));
             Assert.True(_contacts.Exists(one => one.Result.Distance < 0), $"{i}: contact lost");
-            foreach (PartContacts one in _contacts)
+            foreach (PairContacts one in _contacts)
                 Assert.True(one.Manifold.Normal.Y > 0.9999f, $"{i}: {one}");
         }
     }

@@ -155,12 +155,12 @@ public class HeightFieldTests
 
     private string[] Answers(in AnyShape shape, in RigidPose pose, in AnyShape other, in RigidPose at)
     {
-        PartDistance distance = ConcaveQuery.Distance(shape, pose, other, at, _scratch);
-        PartCast cast = ConcaveQuery.Cast(shape, pose, default, other, at, pose.Position - at.Position, _scratch);
-        PartRayHit hit = ConcaveQuery.RayCast(shape, pose, at.Position, pose.Position - at.Position, _scratch);
-        List<PartContacts> contacts = [];
+        PairDistance distance = ConcaveQuery.Distance(shape, pose, other, at, _scratch);
+        CastHit cast = ConcaveQuery.Cast(shape, pose, default, other, at, pose.Position - at.Position, _scratch);
+        RayHit hit = ConcaveQuery.RayCast(shape, pose, at.Position, pose.Position - at.Position, _scratch);
+        List<PairContacts> contacts = [];
         ConcaveQuery.FindContacts(shape, pose, other, at, 0.05f, _scratch, contacts);
-        List<PartDistance> pairs = [];
+        List<PairDistance> pairs = [];
         ConcaveQuery.FindPairsWithin(shape, pose, other, at, 0.05f, _scratch, pairs);
         return
         [

@@ -5,7 +5,7 @@ public class HeldTests
 {
     private const float Reach = 0.01f;
     private readonly ConcaveScratch _scratch = new();
-    private readonly List<PartContacts> _contacts = [];
+    private readonly List<PairContacts> _contacts = [];
 
     [Theory]
     [InlineData(0.02f)]
@@ -61,7 +61,7 @@ public class HeldTests
             {
                 ConcaveQuery.FindContacts(ground, RigidPose.Identity, body, at, Reach, _scratch, _contacts);
                 AssertLifted($"{seed}, {ground.Kind}", depth);
-                foreach (PartContacts one in _contacts)
+                foreach (PairContacts one in _contacts)
                     Assert.True(one.Manifold.Normal.Y > 0.99f || one.Result.Distance > 0, $"{seed}: {one}");
             }
         }
@@ -80,13 +80,13 @@ public class HeldTests
             AnyShape b = AnyShape.Solid(Solids.Named("rock", 999 - seed));
             Vector3 way = Vector3.Normalize(random.Vector(1));
             var start = new RigidPose(Rotations.Even(random), -3 * way);
-            PartCast hit = ConcaveQuery.Cast(a, RigidPose.Identity, default, b, start, 4 * way, _scratch);
+            CastHit hit = ConcaveQuery.Cast(a, RigidPose.Identity, default, b, start, 4 * way, _scratch);
             if (!hit.IsHit) continue;
             found++;
             var at = new RigidPose(start.Rotation, start.Position + way * (4 * hit.Fraction + depth));
             ConcaveQuery.FindContacts(a, RigidPose.Identity, b, at, Reach, _scratch, _contacts);
             float back = 0;
-            foreach (PartContacts one in _contacts)
+            foreach (PairContacts one in _contacts)
             {
                 float along = -Vector3.Dot(one.Manifold.Normal, way);
                 if (one.Result.Distance >= 0) continue;
@@ -119,7 +119,7 @@ public class HeldTests
 
     private RigidPose Sunk(in AnyShape ground, in AnyShape body, in RigidPose high, float depth)
     {
-        PartCast hit = ConcaveQuery.Cast(
+        CastHit hit = ConcaveQuery.Cast(
             ground, RigidPose.Identity, default, body, high, new Vector3(0, -4, 0), _scratch);
         Assert.True(hit.IsHit);
         return new RigidPose(high.Rotation, high.Position - new Vector3(0, 4 * hit.Fraction + depth, 0));
@@ -128,7 +128,7 @@ public class HeldTests
     private void AssertLifted(string where, float depth)
     {
         float lift = 0;
-        foreach (PartContacts one in _contacts)
+        foreach (PairContacts one in _contacts)
             if (one.Manifold.Normal.Y > 0.5f) lift = Math.Max(lift, -one.Result.Distance / one.Manifold.Normal.Y);
         Assert.True(lift > 0.4f * depth - 1e-5f, $"{where}: {lift} of {depth}; {string.Join("; ", _contacts)}");
     }

@@ -36,7 +36,7 @@ public sealed class ImpactAgreementTests
                 (boxA, boxB), (boxA, Mesh(halfB)), (Mesh(halfA), Mesh(halfB)), (Halves(halfA), Mesh(halfB)),
             })
             {
-                PartCast r = ConcaveQuery.TimeOfImpact(x, a, y, b, _scratch, tolerance);
+                CastHit r = ConcaveQuery.TimeOfImpact(x, a, y, b, _scratch, tolerance);
                 asked++;
                 if (r.IsHit != touch.IsHit) differing++;
                 if (!r.IsHit) continue;
@@ -66,7 +66,7 @@ public sealed class ImpactAgreementTests
         {
             TriangleMesh ball = Surfaces.Ball(6, 4, (_, _) => 0.5).Build();
             AnyShape a = AnyShape.Surface(ball), b = isSolid ? AnyShape.Solid(ball) : a;
-            PartCast r = ConcaveQuery.TimeOfImpact(
+            CastHit r = ConcaveQuery.TimeOfImpact(
                 a, new RigidMotion(RigidPose.Identity, default, Vector3.UnitY), b,
                 new RigidMotion(new RigidPose(new Vector3(0, 9, 0)), -Vector3.UnitY), _scratch, tolerance);
             Assert.Equal((CastStatus.Miss, 1f), (r.Status, r.Result.Fraction));

@@ -25,21 +25,21 @@ public class LimitTests
         AnyShape shape = Make(size, kind);
         var (at, over) = (RigidPose.Identity, new RigidPose(new Vector3(0, Apart * size, 0)));
         var scratch = new ConcaveScratch();
-        var pairs = new List<PartDistance>();
-        var contacts = new List<PartContacts>();
+        var pairs = new List<PairDistance>();
+        var contacts = new List<PairContacts>();
         float distance = ConcaveQuery.Distance(shape, at, shape, over, scratch).Distance;
         Assert.Equal(Apart * size, distance, Apart * size * 0.2f);
         foreach (float limit in Limits)
         {
             bool isWithin = distance <= limit;
-            PartDistance found = ConcaveQuery.Distance(shape, at, shape, over, scratch, limit);
+            PairDistance found = ConcaveQuery.Distance(shape, at, shape, over, scratch, limit);
             Assert.Equal(isWithin ? GjkStatus.Separated : GjkStatus.BeyondMaxDistance, found.Status);
             if (isWithin) Assert.Equal(distance, found.Distance);
             Assert.True(ConcaveQuery.FindPairsWithin(shape, at, shape, over, limit, scratch, pairs));
             Assert.Equal(isWithin ? PartCount(shape) * PartCount(shape) : 0, pairs.Count);
             Assert.True(ConcaveQuery.FindContacts(shape, at, shape, over, limit, scratch, contacts));
             Assert.Equal(isWithin, contacts.Count > 0);
-            PartDistance point = ConcaveQuery.Distance(shape, at, over.Position, scratch, limit);
+            PairDistance point = ConcaveQuery.Distance(shape, at, over.Position, scratch, limit);
             Assert.Equal(isWithin, point.Status == GjkStatus.Separated);
         }
     }
@@ -52,30 +52,30 @@ public class LimitTests
         var (at, over) = (RigidPose.Identity, new RigidPose(new Vector3(0, Apart * size, 0)));
         Vector3 down = new(0, -size, 0), aside = new(size, 0, 0);
         var scratch = new ConcaveScratch();
-        var rays = new List<PartRayHit>();
+        var rays = new List<RayHit>();
         foreach (float limit in Limits)
         {
             bool isLong = limit > Apart;
-            PartCast cast = ConcaveQuery.Cast(shape, at, Vector3.Zero, shape, over, down, scratch, limit);
+            CastHit cast = ConcaveQuery.Cast(shape, at, Vector3.Zero, shape, over, down, scratch, limit);
             Assert.Equal((isLong, isLong ? cast.Fraction : limit), (cast.IsHit, cast.Fraction));
             if (isLong) Assert.Equal(Apart, cast.Fraction, 2f);
-            PartCast missed = ConcaveQuery.Cast(shape, at, Vector3.Zero, shape, over, aside, scratch, limit);
+            CastHit missed = ConcaveQuery.Cast(shape, at, Vector3.Zero, shape, over, aside, scratch, limit);
             Assert.Equal((CastStatus.Miss, limit), (missed.Status, missed.Fraction));
-            PartCast still = ConcaveQuery.Cast(shape, at, Vector3.Zero, shape, over, Vector3.Zero, scratch, limit);
+            CastHit still = ConcaveQuery.Cast(shape, at, Vector3.Zero, shape, over, Vector3.Zero, scratch, limit);
             Assert.Equal((CastStatus.Miss, limit), (still.Status, still.Fraction));
             foreach (float turn in new[] { 0, 1e-20f, 0.1f })
             {
                 var falling = new RigidMotion(over, down, new Vector3(0, turn, 0));
-                PartCast met = ConcaveQuery.TimeOfImpact(
+                CastHit met = ConcaveQuery.TimeOfImpact(
                     shape, new RigidMotion(at, Vector3.Zero), shape, falling, scratch, 0, limit);
                 Assert.Equal(isLong, met.IsHit);
                 var leaving = new RigidMotion(over, -down, new Vector3(0, turn, 0));
-                PartCast left = ConcaveQuery.TimeOfImpact(
+                CastHit left = ConcaveQuery.TimeOfImpact(
                     shape, new RigidMotion(at, Vector3.Zero), shape, leaving, scratch, 0, limit);
                 Assert.False(left.IsHit, $"{left} {limit} {turn}");
             }
 
-            PartRayHit ray = ConcaveQuery.RayCast(shape, at, over.Position, down, scratch, limit);
+            RayHit ray = ConcaveQuery.RayCast(shape, at, over.Position, down, scratch, limit);
             bool reaches = limit >= Apart * size;
             Assert.Equal(reaches, ray.IsHit);
             Assert.True(ConcaveQuery.RayCastAll(shape, at, over.Position, down, scratch, rays, limit));

@@ -33,7 +33,7 @@ public sealed class PartAdvancementTests
             var motionA = new RigidMotion(poseA, random.Vector(0.3), turns * random.Vector(1));
             var motionB = new RigidMotion(
                 poseB, -1.4f * from + random.Vector(i % 2 == 0 ? 0.2 : 2), turns * random.Vector(1));
-            PartCast found = ConcaveQuery.TimeOfImpact(
+            CastHit found = ConcaveQuery.TimeOfImpact(
                 AnyShape.Surface(ring), motionA, AnyShape.Surface(ball), motionB, _scratch, tolerance);
             CastResult least = Least(ring, motionA, ball, motionB, tolerance);
             Assert.True(found.IsHit == least.IsHit, $"{i}: {found}, but {least}");
@@ -52,7 +52,7 @@ public sealed class PartAdvancementTests
         TriangleMesh ring = Surfaces.Torus(12, 7).Build();
         var turning = new RigidMotion(RigidPose.Identity, Vector3.Zero, new Vector3(0.5f, 3, 0.1f));
         var other = new RigidMotion(new RigidPose(Quaternion.Identity, new Vector3(2.75f, 0, 0)), Vector3.Zero);
-        PartCast found = ConcaveQuery.TimeOfImpact(
+        CastHit found = ConcaveQuery.TimeOfImpact(
             AnyShape.Surface(ring), turning, AnyShape.Surface(ring), other, _scratch, 0, maxFraction);
         Assert.Equal(float.IsFinite(maxFraction) ? CastStatus.Miss : CastStatus.IterationLimit, found.Status);
     }
@@ -97,7 +97,7 @@ public sealed class PartAdvancementTests
         var moving = new RigidMotion(above, new Vector3(0, 0, -3));
         foreach (float tolerance in new[] { float.PositiveInfinity, float.NegativeInfinity, float.NaN, 0.1f })
         {
-            PartCast found = ConcaveQuery.TimeOfImpact(
+            CastHit found = ConcaveQuery.TimeOfImpact(
                 AnyShape.Surface(mesh), still, AnyShape.Of(ball), moving, _scratch, tolerance);
             CastResult one = ConvexQuery.TimeOfImpact(triangle, still, ball, moving, tolerance);
             Assert.Equal((one.Status, one.Fraction), (found.Status, found.Fraction));

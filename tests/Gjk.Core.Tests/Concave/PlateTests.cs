@@ -37,13 +37,13 @@ public class PlateTests
                 }
             }
 
-            PartDistance found = ConcaveQuery.Distance(plate, poseA, plate, poseB, scratch);
+            PairDistance found = ConcaveQuery.Distance(plate, poseA, plate, poseB, scratch);
             Assert.Equal((least, overlaps), (found.Distance, found.IsOverlapping));
             Assert.True(found.Result.LowerBound <= least, $"{found.Result.LowerBound:R} above {least:R}");
             Assert.Equal(overlaps, ConcaveQuery.Overlaps(plate, poseA, plate, poseB, scratch));
             foreach (float most in new[] { least * 0.5f, least, least * 2 })
             {
-                PartDistance within = ConcaveQuery.Distance(plate, poseA, plate, poseB, scratch, most);
+                PairDistance within = ConcaveQuery.Distance(plate, poseA, plate, poseB, scratch, most);
                 Assert.Equal(least <= most, within.Status != GjkStatus.BeyondMaxDistance);
                 if (least <= most) Assert.Equal(least, within.Distance);
             }
@@ -77,7 +77,7 @@ public class PlateTests
                 }
             }
 
-            PartCast found = ConcaveQuery.Cast(plate, poseA, Vector3.Zero, plate, poseB, way, scratch);
+            CastHit found = ConcaveQuery.Cast(plate, poseA, Vector3.Zero, plate, poseB, way, scratch);
             Assert.Equal(least, found.IsHit ? found.Fraction : float.PositiveInfinity);
         }
     }
@@ -88,7 +88,7 @@ public class PlateTests
         var plate = AnyShape.Surface(ConcaveShapes.Grid(60));
         var scratch = new ConcaveScratch();
         var poseB = new RigidPose(Quaternion.Identity, new Vector3(0.01f, 1e-7f, 0.02f));
-        PartCast found = ConcaveQuery.Cast(
+        CastHit found = ConcaveQuery.Cast(
             plate, RigidPose.Identity, Vector3.Zero, plate, poseB, new Vector3(0.5f, 0, 0.3f), scratch);
         Assert.Equal(CastStatus.Miss, found.Status);
         Assert.InRange(scratch.CastSearch.Asked, 1, 64);
@@ -99,7 +99,7 @@ public class PlateTests
     {
         TriangleMesh ball = Surfaces.Ball(40, 20, (_, _) => 1).Build();
         var scratch = new ConcaveScratch();
-        PartDistance found = ConcaveQuery.SignedDistance(
+        PairDistance found = ConcaveQuery.SignedDistance(
             AnyShape.Surface(ball), RigidPose.Identity, Vector3.Zero, scratch);
         float least = float.PositiveInfinity;
         foreach (ConvexShape part in ConcaveShapes.Parts(AnyShape.Surface(ball)))

@@ -11,7 +11,7 @@ public class SeamContactTests
 
     private const float Reach = 0.02f;
     private readonly ConcaveScratch _scratch = new();
-    private readonly List<PartContacts> _contacts = [];
+    private readonly List<PairContacts> _contacts = [];
 
     public static TheoryData<string> Bodies => new("ball", "box", "capsule", "hull");
 
@@ -37,7 +37,7 @@ public class SeamContactTests
                     Frame(name, ground, at, new Vector3(x, 0, z), own, random.Float(-0.015f, 0.01f));
                     frames++;
                     Assert.True(_contacts.Count > 0, $"{name} {cut} {seed} {i}: contact lost");
-                    foreach (PartContacts one in _contacts) AssertUp(one, turn, $"{name} {cut} {seed} {i}");
+                    foreach (PairContacts one in _contacts) AssertUp(one, turn, $"{name} {cut} {seed} {i}");
                     if (_contacts.Count > 1) seams++;
                 }
             }
@@ -67,7 +67,7 @@ public class SeamContactTests
             for (int k = 0; k < whole.Count; k++)
             {
                 float nearest = float.PositiveInfinity;
-                foreach (PartContacts one in _contacts)
+                foreach (PairContacts one in _contacts)
                     for (int j = 0; j < one.Manifold.Count; j++)
                         nearest = Math.Min(nearest, (one.Manifold[j].PointB - whole[k].PointB).Length());
                 Assert.True(nearest < 0.03f, $"{name} {i}: {whole[k]} is {nearest} from any");
@@ -89,7 +89,7 @@ public class SeamContactTests
             at = new RigidPose(at.Position - new Vector3(0, gap, 0));
             ConcaveQuery.FindContacts(ground, RigidPose.Identity, ball, at, Reach, _scratch, _contacts);
             Assert.NotEmpty(_contacts);
-            foreach (PartContacts one in _contacts)
+            foreach (PairContacts one in _contacts)
             {
                 Vector3 n = one.Manifold.Normal;
                 Assert.True(Math.Abs(n.Z) <= Straight && Math.Abs(n.X / n.Y) <= 0.5f + 2 * Straight, $"{i}: {n}");
@@ -102,7 +102,7 @@ public class SeamContactTests
         {
             Frame("box", ground, RigidPose.Identity, new Vector3(side, 0, 0.2f), Quaternion.Identity, -0.001f);
             Assert.NotEmpty(_contacts);
-            foreach (PartContacts one in _contacts) AssertUp(one, Quaternion.Identity, $"{side}");
+            foreach (PairContacts one in _contacts) AssertUp(one, Quaternion.Identity, $"{side}");
         }
     }
 
@@ -121,7 +121,7 @@ public class SeamContactTests
             var at = new RigidPose(new Vector3(x, height, i / 20f));
             ConcaveQuery.FindContacts(ground, RigidPose.Identity, ball, at, Reach, _scratch, _contacts);
             Assert.NotEmpty(_contacts);
-            foreach (PartContacts one in _contacts)
+            foreach (PairContacts one in _contacts)
             {
                 Vector3 n = one.Manifold.Normal;
                 int wall = n.X > 0 ? 0 : 1;
@@ -159,7 +159,7 @@ public class SeamContactTests
         var at = new RigidPose(new Vector3(0, -0.305f, 0.1f));
         ConcaveQuery.FindContacts(ground, RigidPose.Identity, ball, at, Reach, _scratch, _contacts);
         Assert.NotEmpty(_contacts);
-        foreach (PartContacts one in _contacts)
+        foreach (PairContacts one in _contacts)
             Assert.True((one.Manifold.Normal + Vector3.UnitY).Length() < 1e-5f, $"{one}");
     }
 
@@ -180,7 +180,7 @@ public class SeamContactTests
                     new Vector3(i / 16f - 1, 0.2f + 0.005f, i / 40f));
                 ConcaveQuery.FindContacts(ground, RigidPose.Identity, crate, at, Reach, _scratch, _contacts);
                 Assert.NotEmpty(_contacts);
-                foreach (PartContacts one in _contacts) AssertUp(one, Quaternion.Identity, $"{i}");
+                foreach (PairContacts one in _contacts) AssertUp(one, Quaternion.Identity, $"{i}");
             }
         }
     }
@@ -197,7 +197,7 @@ public class SeamContactTests
             var at = new RigidPose(new Vector3(i / 50f, 0.28f, 0.5f));
             ConcaveQuery.FindContacts(ground, RigidPose.Identity, ball, at, Reach, _scratch, _contacts);
             Assert.NotEmpty(_contacts);
-            foreach (PartContacts one in _contacts) AssertUp(one, Quaternion.Identity, $"{i}");
+            foreach (PairContacts one in _contacts) AssertUp(one, Quaternion.Identity, $"{i}");
         }
     }
 
@@ -211,7 +211,7 @@ public class SeamContactTests
         Assert.True(ConcaveQuery.FindContacts(ground, at, body, pose, Reach, _scratch, _contacts));
     }
 
-    private static void AssertUp(in PartContacts one, Quaternion turn, string where)
+    private static void AssertUp(in PairContacts one, Quaternion turn, string where)
     {
         Vector3 up = Vector3.Transform(Vector3.UnitY, turn);
         Assert.True((one.Manifold.Normal - up).Length() <= Straight, $"{where}: {one}, but up is {up}");

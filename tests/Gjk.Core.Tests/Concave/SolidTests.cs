@@ -40,7 +40,7 @@ public class SolidTests
             double depth = 0.35 - Math.Sqrt(ring * ring + (double)local.Y * local.Y);
             if (Math.Abs(depth) < 3e-3) continue;
             Assert.Equal(depth > 0, ConcaveQuery.Contains(solid, pose, point, _scratch));
-            PartDistance signed = ConcaveQuery.SignedDistance(solid, pose, point, _scratch);
+            PairDistance signed = ConcaveQuery.SignedDistance(solid, pose, point, _scratch);
             Assert.InRange(signed.Distance, -depth - 3e-3, -depth + 3e-3);
             Assert.True(signed.Result.LowerBound <= signed.Distance);
             Vector3 back = signed.Result.PointA + signed.Result.Normal * signed.Distance;
@@ -82,7 +82,7 @@ public class SolidTests
         AnyShape solid = AnyShape.Solid(box), shell = AnyShape.Surface(box);
         AnyShape small = AnyShape.Surface(ConcaveShapes.Torus(6, 5, 0.3f, 0.1f));
         RigidPose here = RigidPose.Identity, there = new(new Vector3(0.1f, 0.2f, 0.3f));
-        PartDistance found = ConcaveQuery.Distance(solid, here, small, there, _scratch);
+        PairDistance found = ConcaveQuery.Distance(solid, here, small, there, _scratch);
         Assert.True(found.IsOverlapping && found.PartA == -1 && found.PartB == 0);
         found = ConcaveQuery.Distance(small, there, solid, here, _scratch);
         Assert.True(found.IsOverlapping && found.PartA == 0 && found.PartB == -1);
@@ -90,7 +90,7 @@ public class SolidTests
         Assert.True(
             ConcaveQuery.Cast(solid, here, Vector3.Zero, small, there, Vector3.UnitX, _scratch).Status
                 == CastStatus.OverlappingAtStart);
-        PartRayHit ray = ConcaveQuery.RayCast(solid, here, new Vector3(0, 0, 0.75f), Vector3.UnitX, _scratch);
+        RayHit ray = ConcaveQuery.RayCast(solid, here, new Vector3(0, 0, 0.75f), Vector3.UnitX, _scratch);
         Assert.Equal((CastStatus.OverlappingAtStart, 0.25f), (ray.Status, ray.Result.Depth));
         Assert.Equal(Vector3.UnitZ, ray.Result.Normal);
         Assert.Equal(1, ConcaveQuery.RayCast(shell, here, Vector3.Zero, Vector3.UnitX, _scratch).Distance);
@@ -107,7 +107,7 @@ public class SolidTests
         Assert.Equal(CastStatus.Miss, Cast(Vector3.UnitX * 0.5f).Status);
         Assert.Equal(CastStatus.Miss, Cast(Vector3.UnitY).Status);
 
-        PartCast Cast(Vector3 way) =>
+        CastHit Cast(Vector3 way) =>
             ConcaveQuery.Cast(solid, RigidPose.Identity, Vector3.Zero, cube, on, way, _scratch);
     }
 

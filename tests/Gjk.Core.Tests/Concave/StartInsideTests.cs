@@ -16,7 +16,7 @@ public class StartInsideTests
     {
         var floor = AnyShape.Surface(new TriangleMesh(
             [new(-5, 0, -5), new(5, 0, -5), new(5, 0, 5), new(-5, 0, 5)], [0, 2, 1, 0, 3, 2]));
-        PartCast start = Start(floor, ConvexShape.Sphere(0.5f), new Vector3(x, y, 0));
+        CastHit start = Start(floor, ConvexShape.Sphere(0.5f), new Vector3(x, y, 0));
         AssertStart(start, Vector3.UnitY, depth);
         Assert.Equal(x < 0 ? 1 : 0, start.PartA);
     }
@@ -39,7 +39,7 @@ public class StartInsideTests
                 new RigidPose(new Vector3(3 * (i % 2), 0, 0)));
         }
 
-        var hits = new List<PartCast>();
+        var hits = new List<CastHit>();
         var ball = AnyShape.Of(ConvexShape.Sphere(1f));
         var at = new RigidPose(new Vector3(0, 1, 0));
         var scene = new CollisionScene();
@@ -51,9 +51,9 @@ public class StartInsideTests
         for (int i = 1; i < hits.Count; i++) Assert.True(hits[i].Result.Depth <= hits[i - 1].Result.Depth);
         var found = new List<CastHit>();
         scene.FindCastHits(ball.Convex, at, Vector3.Zero, found, eachPart: true);
-        Assert.Equal(hits.Select(h => h.PartA), found.Select(h => h.Part));
+        Assert.Equal(hits.Select(h => h.PartA), found.Select(h => h.PartB));
         scene.FindCastHits(ball.Convex, at, Vector3.Zero, found);
-        Assert.Equal(hits[0].PartA, Assert.Single(found).Part);
+        Assert.Equal(hits[0].PartA, Assert.Single(found).PartB);
     }
 
     [Fact]
@@ -68,7 +68,7 @@ public class StartInsideTests
             float depth = 0.25f + 1 - Math.Max(at.X, at.Y);
             AssertStart(Start(cube, ConvexShape.Sphere(0.25f), at), outward, depth);
             AssertStart(Start(mirrored, ConvexShape.Sphere(0.25f), at), outward, depth);
-            PartCast swapped = ConcaveQuery.Cast(
+            CastHit swapped = ConcaveQuery.Cast(
                 AnyShape.Of(ConvexShape.Sphere(0.25f)), new RigidPose(at), Vector3.Zero, cube, RigidPose.Identity,
                 Vector3.UnitX, _scratch);
             AssertStart(swapped, -outward, depth);
@@ -101,7 +101,7 @@ public class StartInsideTests
             var pose = new RigidPose(Rotations.Even(random), random.Vector(1.2));
             for (int way = 0; ; way++)
             {
-                PartCast start = ConcaveQuery.Cast(
+                CastHit start = ConcaveQuery.Cast(
                     solid, RigidPose.Identity, Vector3.Zero, AnyShape.Of(body), pose, Vector3.Zero, _scratch);
                 if (start.Status != CastStatus.OverlappingAtStart || start.Result.Depth < 1e-5f) break;
                 if (way == 0) inside++;
@@ -121,7 +121,7 @@ public class StartInsideTests
         var ball = AnyShape.Of(ConvexShape.Sphere(1));
         var cube = AnyShape.Solid(ConcaveShapes.Box(Vector3.One));
         var (at, up) = (RigidPose.Identity, Vector3.UnitY);
-        var hits = new List<PartCast>();
+        var hits = new List<CastHit>();
         Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, _scratch, null!));
         Assert.False(ConcaveQuery.CastAll(ball, at, up, cube, at, up, null!, hits));
         Assert.False(ConcaveQuery.CastAll(ball, at, up, default, at, up, _scratch, hits));
@@ -137,11 +137,11 @@ public class StartInsideTests
         Assert.Equal(CastStatus.OverlappingAtStart, hits[0].Status);
     }
 
-    private PartCast Start(in AnyShape ground, in ConvexShape body, Vector3 at) => ConcaveQuery.Cast(
+    private CastHit Start(in AnyShape ground, in ConvexShape body, Vector3 at) => ConcaveQuery.Cast(
         ground, RigidPose.Identity, Vector3.Zero, AnyShape.Of(body), new RigidPose(at), new Vector3(0, -1, 0),
         _scratch);
 
-    private static void AssertStart(in PartCast start, Vector3 normal, float depth)
+    private static void AssertStart(in CastHit start, Vector3 normal, float depth)
     {
         Assert.Equal(CastStatus.OverlappingAtStart, start.Status);
         Assert.True((start.Result.Normal - normal).Length() < 1e-5f, $"{start}");

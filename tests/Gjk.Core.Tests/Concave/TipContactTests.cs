@@ -5,7 +5,7 @@ public class TipContactTests
 {
     private const float Reach = 0.01f;
     private readonly ConcaveScratch _scratch = new();
-    private readonly List<PartContacts> _contacts = [];
+    private readonly List<PairContacts> _contacts = [];
 
     [Theory]
     [InlineData("ellipsoid", 0.1f)]
@@ -30,7 +30,7 @@ public class TipContactTests
             RigidPose at = SeamBodies.Placed(body, over, own, -depth);
             Assert.True(ConcaveQuery.FindContacts(ground, RigidPose.Identity, body, at, Reach, _scratch, _contacts));
             float least = float.PositiveInfinity;
-            foreach (PartContacts one in _contacts)
+            foreach (PairContacts one in _contacts)
             {
                 Assert.True((one.Manifold.Normal - Vector3.UnitY).Length() < 3e-6f, $"{seed}: {one}");
                 for (int i = 0; i < one.Manifold.Count; i++)
@@ -71,7 +71,7 @@ public class TipContactTests
             ConcaveQuery.FindContacts(
                 mesh, RigidPose.Identity, AnyShape.Of(body), at, 0.005f, _scratch, _contacts);
             if (_contacts.Count > 0) found++;
-            foreach (PartContacts one in _contacts)
+            foreach (PairContacts one in _contacts)
                 Assert.True(-one.Result.Distance < 10 * depth, $"{seed}: {one.Result} for {depth}");
         }
 

@@ -55,7 +55,7 @@ public unsafe class TriangleLanesTests
             float gap = random.Of(0.125f, 0.01f, 1e-3f);
             RigidPose pose = round < 2 ? RigidPose.Identity : ConcaveShapes.Pose(random, 2);
             Vector3 offset = pose.TransformPoint(new Vector3(0.1f, gap, 0.07f));
-            PartDistance found = ConcaveQuery.Distance(
+            PairDistance found = ConcaveQuery.Distance(
                 plate, pose, plate, new RigidPose(pose.Rotation, offset), scratch);
             Assert.InRange(found.Distance, gap * 0.999f, gap * 1.001f);
             Assert.InRange(found.Result.LowerBound, gap * 0.998f, found.Distance);

@@ -25,7 +25,7 @@ public class RaySeamTests
             if (i % 3 == 0) to += new Vector3(1, 0, 1) * (rng.Float(-0.01, 0.01) * half);
             RigidPose pose = RigidPose.Identity;
             Met(ConcaveQuery.RayCast(square, pose, origin, to, scratch), $"{origin} along {to}");
-            PartCast cast = ConcaveQuery.Cast(
+            CastHit cast = ConcaveQuery.Cast(
                 AnyShape.Of(ConvexShape.Point()), new RigidPose(origin), to, square, pose, default, scratch);
             Assert.True(cast.Result.Status == CastStatus.Hit, $"{cast.Result}: {origin} along {to}");
         }
@@ -48,7 +48,7 @@ public class RaySeamTests
             Vector3 origin = on - to;
             foreach (AnyShape shape in (AnyShape[])[surface, solid])
             {
-                PartRayHit hit = ConcaveQuery.RayCast(shape, RigidPose.Identity, origin, to, scratch);
+                RayHit hit = ConcaveQuery.RayCast(shape, RigidPose.Identity, origin, to, scratch);
                 Met(hit, $"{shape.Kind}, {origin} along {to}");
                 Assert.True(hit.Distance <= 1.000001f * to.Length(), $"{hit}: {shape.Kind}, {origin} along {to}");
             }
@@ -73,12 +73,12 @@ public class RaySeamTests
         CastResult cast = ConcaveQuery.Cast(
             point, new RigidPose(on), inward, solid, RigidPose.Identity, default, scratch).Result;
         Assert.Equal((CastStatus.Hit, 0f, -Vector3.UnitZ), (cast.Status, cast.Fraction, cast.Normal));
-        PartDistance d = ConcaveQuery.SignedDistance(
+        PairDistance d = ConcaveQuery.SignedDistance(
             solid,
             new RigidPose(new Quaternion(-0.83442086f, -0.5175501f, 0.1890511f, 0.011974347f), Vector3.Zero),
             new Vector3(0.089100495f, -0.039674554f, -1.1012803f), scratch);
         Assert.True(d.Result.LowerBound <= -3.145252661642258e-10, $"{d.Result.LowerBound:R}");
-        List<PartRayHit> hits = new(99);
+        List<RayHit> hits = new(99);
         for (int i = 0; i < 3; i++)
             ConcaveQuery.RayCastAll(solid, RigidPose.Identity, 3 * Vector3.One, -Vector3.One, scratch, hits);
         long before = GC.GetAllocatedBytesForCurrentThread();
@@ -100,11 +100,11 @@ public class RaySeamTests
         Vector3 origin = new(0.69296396f, -0.5585865f, -0.33782437f), to = new(0.016644299f, 0.46171534f, -0.19000205f);
         AnyShape surface = AnyShape.Surface(new TriangleMesh(corners, triangles));
         var scratch = new ConcaveScratch();
-        List<PartRayHit> hits = [];
+        List<RayHit> hits = [];
         ConcaveQuery.RayCastAll(surface, pose, origin, to, scratch, hits);
         Assert.Equal([1, 0], hits.ConvertAll(hit => hit.Part));
         Assert.Equal(1, ConcaveQuery.RayCast(surface, pose, origin, to, scratch).Part);
-        foreach (PartRayHit hit in hits)
+        foreach (RayHit hit in hits)
         {
             int i = 3 * hit.Part;
             ConvexShape triangle = ConvexShape.Triangle(
@@ -130,6 +130,6 @@ public class RaySeamTests
 
     private static int Index(Rng rng, int count) => (int)rng.Float(0, count - 1e-3);
 
-    private static void Met(in PartRayHit hit, string where) =>
+    private static void Met(in RayHit hit, string where) =>
         Assert.True(hit.Result.Status is CastStatus.Hit or CastStatus.OverlappingAtStart, $"{hit.Result}: {where}");
 }

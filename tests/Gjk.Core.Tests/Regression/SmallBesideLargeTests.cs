@@ -29,8 +29,8 @@ public class SmallBesideLargeTests
             new Quaternion(-0.40004098f, 0.2521666f, 0.88014644f, 0.041490704f),
             new Vector3(0.7181847f, 0.20556337f, -0.42037326f));
         var scratch = new ConcaveScratch();
-        PartDistance whole = ConcaveQuery.Distance(a, poseA, b, poseB, scratch);
-        PartDistance within = ConcaveQuery.Distance(a, poseA, b, poseB, scratch, whole.Distance * factor);
+        PairDistance whole = ConcaveQuery.Distance(a, poseA, b, poseB, scratch);
+        PairDistance within = ConcaveQuery.Distance(a, poseA, b, poseB, scratch, whole.Distance * factor);
         Assert.Equal((GjkStatus.Separated, whole.Distance, 0), (within.Status, within.Distance, within.PartA));
     }
 
@@ -45,7 +45,7 @@ public class SmallBesideLargeTests
         ConvexShape triangle = ConvexShape.Triangle(Vector3.Zero, new(0, 0.75f, 0), new(0, 0, 0.75f));
         Assert.True(ConvexQuery.Distance(triangle, RigidPose.Identity, egg, at).IsOverlapping);
         AnyShape parts = AnyShape.Of(new CompoundShape([new CompoundPart(egg, RigidPose.Identity)]));
-        List<PartDistance> found = [];
+        List<PairDistance> found = [];
         var scratch = new ConcaveScratch();
         Assert.True(ConcaveQuery.FindDepths(wall, RigidPose.Identity, parts, at, scratch, found));
         Assert.Single(found);
@@ -88,7 +88,7 @@ public class SmallBesideLargeTests
         }
 
         AnyShape surface = AnyShape.Surface(new TriangleMesh(blade, triangles));
-        PartCast found = ConcaveQuery.Cast(
+        CastHit found = ConcaveQuery.Cast(
             AnyShape.Of(a), poseA, default, surface, poseB, way, new ConcaveScratch());
         Assert.Equal((CastStatus.Hit, least), (found.Status, found.Fraction));
     }

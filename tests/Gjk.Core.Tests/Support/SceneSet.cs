@@ -82,7 +82,7 @@ internal sealed class SceneSet
         ConvexQuery.RayCast(World.Shapes[i], World.Poses[i], ray.Origin, ray.Direction, ray.MaxDistance, options);
 
     /// <summary>A cast against one object, of a body that is out of all of them at another pose.</summary>
-    public PartCast PartCast(
+    public CastHit CastAt(
         int i, in ConvexShape shape, in RigidPose pose, Vector3 motion, float most, in CastOptions options,
         in RigidPose lifted)
     {
@@ -94,7 +94,7 @@ internal sealed class SceneSet
         MetFeature feature = found.Status == CastStatus.Hit
             ? MetFeatures.Of(shape, pose, other, at, found.Normal)
             : MetFeature.None;
-        return new PartCast(found, -1, -1, feature);
+        return new CastHit(found, feature: feature);
     }
 
     /// <summary>Where a body is out of all objects that it may see, by the deepest after the other.</summary>
@@ -105,7 +105,7 @@ internal sealed class SceneSet
         {
             RigidPose now = pose;
             CastHit start = Seen(filter).Select(
-                k => new CastHit(k, PartCast(k, shape, now, Vector3.Zero, 0, default, now)))
+                k => CastAt(k, shape, now, Vector3.Zero, 0, default, now).Of(k))
                 .Where(h => h.Result.MayHit).Order().FirstOrDefault();
             if (!UnionLift.TryMove(start.Result, options, -1, ref pose)) break;
         }

@@ -12,7 +12,7 @@ internal sealed class StackSolver(int iterations = 10)
     private const float Gravity = 9.81f, Friction = 0.5f, Slop = 0.005f, Push = 0.2f, MaxGap = 0.02f;
 
     private readonly List<SolidBody> _bodies = [];
-    private readonly List<PartContacts> _contacts = [];
+    private readonly List<PairContacts> _contacts = [];
     private readonly ConcaveScratch _scratch = new();
     private readonly Dictionary<(int A, int B), PointState[]> _pairs = [];
 
@@ -106,10 +106,10 @@ internal sealed class StackSolver(int iterations = 10)
 
         DistanceResult result = ConvexQuery.Contacts(
             a.Shape.Convex, a.Pose, b.Shape.Convex, b.Pose, MaxGap, out ContactManifold manifold);
-        if (manifold.Count > 0) _contacts.Add(new PartContacts(-1, -1, result, manifold));
+        if (manifold.Count > 0) _contacts.Add(new PairContacts(-1, -1, result, manifold));
     }
 
-    private static PointState MadeOf(SolidBody a, SolidBody b, in PartContacts one, in ManifoldPoint contact)
+    private static PointState MadeOf(SolidBody a, SolidBody b, in PairContacts one, in ManifoldPoint contact)
     {
         float away = contact.Gap > 0 ? -contact.Gap / Step : Push / Step * MathF.Max(-contact.Gap - Slop, 0);
         return new PointState(a, b, contact, one.Manifold.Normal, away, (one.PartA, one.PartB, contact.FeatureId));

@@ -81,7 +81,7 @@ public class CharacterTests
             position = Slide(scene, body, PushOut(scene, body, position), wish);
             Vector3 down = -StepDown * Vector3.UnitY;
             bool isGround = scene.TryFindCastHit(
-                body, new RigidPose(position), down, out _, out CastResult ground, options: NoDeeper);
+                body, new RigidPose(position), down, out CastHit ground, options: NoDeeper);
             return isGround ? position + ground.Fraction * down : position;
         }
 
@@ -91,19 +91,19 @@ public class CharacterTests
             for (int bounce = 0; bounce < 4; bounce++)
             {
                 bool isHit = scene.TryFindCastHit(
-                    body, new RigidPose(position), rest, out _, out CastResult hit, options: NoDeeper);
+                    body, new RigidPose(position), rest, out CastHit hit, options: NoDeeper);
                 position += hit.Fraction * rest;              // all of it where nothing is in the way
                 if (!isHit || hit.Status == CastStatus.IterationLimit) break;
                 rest *= 1 - hit.Fraction;
-                rest -= Vector3.Dot(rest, hit.Normal) * hit.Normal;
+                rest -= Vector3.Dot(rest, hit.Result.Normal) * hit.Result.Normal;
                 if (Vector3.Dot(rest, last) > 0)              // back into the wall before: only the crease is left
                 {
-                    Vector3 crease = Vector3.Cross(last, hit.Normal);
+                    Vector3 crease = Vector3.Cross(last, hit.Result.Normal);
                     rest = Vector3.Dot(rest, crease) / MathF.Max(crease.LengthSquared(), 1e-6f) * crease;
                 }
 
                 if (Vector3.Dot(rest, wish) <= 1e-6f * wish.LengthSquared()) break;
-                last = hit.Normal;
+                last = hit.Result.Normal;
             }
 
             return position;

@@ -20,8 +20,9 @@ public class CollisionSceneTests
         Assert.Equal([(new(0, 1), 0f), (new ObjectPair(1, 2), 1f)], within.Select(p => (p.Pair, p.Result.Distance)));
         scene.FindPairsWithin(float.PositiveInfinity, within);
         Assert.Equal(6, within.Count);
-        Assert.True(scene.TryFindNearest(3, out int other, out DistanceResult nearest));
-        Assert.Equal((2, 2f, At(8), At(6)), (other, nearest.Distance, nearest.PointA, nearest.PointB));
+        Assert.True(scene.TryFindNearest(3, out PairDistance nearest));
+        Assert.Equal((new ObjectPair(3, 2), 2f), (nearest.Pair, nearest.Distance));
+        Assert.Equal((At(8), At(6)), (nearest.Result.PointA, nearest.Result.PointB));
         Assert.Equal(3f, scene.Distance(0, 2).Distance);
         Assert.Equal((At(4), At(1)), (scene.Distance(2, 0).PointA, scene.Distance(2, 0).PointB));
 
@@ -107,8 +108,8 @@ public class CollisionSceneTests
         Assert.Empty(Overlaps(scene));
         scene.Add(Ball, RigidPose.Identity);
         Assert.Empty(Overlaps(scene));
-        Assert.False(scene.TryFindNearest(0, out int other, out _));
-        Assert.Equal(-1, other);
+        Assert.False(scene.TryFindNearest(0, out PairDistance nearest));
+        Assert.Equal(-1, nearest.Pair.B);
     }
 
     [Theory]
@@ -118,8 +119,8 @@ public class CollisionSceneTests
         var scene = new CollisionScene(kind);
         scene.Add(ConvexShape.Point(), new RigidPose(new Vector3(-3e38f, 0, 0)));
         scene.Add(ConvexShape.Point(), new RigidPose(new Vector3(-1e38f, 0, 0)));
-        Assert.True(scene.TryFindNearest(0, out int other, out DistanceResult result));
-        Assert.Equal((1, (float)((double)3e38f - 1e38f)), (other, result.Distance));
+        Assert.True(scene.TryFindNearest(0, out PairDistance nearest));
+        Assert.Equal((1, (float)((double)3e38f - 1e38f)), (nearest.Pair.B, nearest.Distance));
     }
 
     private static void CheckObjects(CollisionScene scene, SortedDictionary<int, Vector3> there)

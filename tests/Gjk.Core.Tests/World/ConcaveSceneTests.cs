@@ -56,7 +56,7 @@ public class ConcaveSceneTests
         {
             Vector3 from = random.Vector(2.5), way = random.Vector(0.5) - from;
             var ray = new RayQuery(from, way, 20);
-            PartRayHit[] rays = [.. world.Shapes.Select((s, k) => ConcaveQuery.RayCast(
+            RayHit[] rays = [.. world.Shapes.Select((s, k) => ConcaveQuery.RayCast(
                 s, world.Poses[k], from, way, _scratch, 20))];
             int first = world.Least(k => rays[k].Result.MayHit ? rays[k].Distance : float.NaN);
             Assert.Equal(first >= 0, scene.TryFindRayHit(ray, out RayHit hit));
@@ -69,14 +69,14 @@ public class ConcaveSceneTests
 
             var ball = ConvexShape.Sphere(0.1f);
             var at = new RigidPose(from);
-            PartCast[] casts = [.. world.Shapes.Select((s, k) => ConcaveQuery.Cast(
+            CastHit[] casts = [.. world.Shapes.Select((s, k) => ConcaveQuery.Cast(
                 AnyShape.Of(ball), at, way, s, world.Poses[k], default, _scratch))];
             int met = world.Least(k => casts[k].Result.MayHit ? casts[k].Fraction : float.NaN);
             Assert.Equal(met >= 0, scene.TryFindCastHit(ball, at, way, out CastHit cast));
             Assert.Equal(met, cast.Id);
-            if (met >= 0) Assert.Equal((casts[met].PartB, casts[met].Fraction), (cast.Part, cast.Result.Fraction));
+            if (met >= 0) Assert.Equal((casts[met].PartB, casts[met].Fraction), (cast.PartB, cast.Result.Fraction));
 
-            PartDistance[] gaps = [.. world.Shapes.Select((s, k) => ConcaveQuery.Distance(
+            PairDistance[] gaps = [.. world.Shapes.Select((s, k) => ConcaveQuery.Distance(
                 AnyShape.Of(ball), at, s, world.Poses[k], _scratch))];
             int near = world.Least(k => gaps[k].Distance);
             Assert.True(scene.TryFindNearest(ball, at, out PairDistance nearest));
@@ -85,7 +85,7 @@ public class ConcaveSceneTests
             scene.FindObjectsOverlapping(ball, at, touching);
             Assert.Equal(Enumerable.Range(0, world.Count).Where(k => gaps[k].IsOverlapping), touching);
             if (hit.Id >= 0) hits++;
-            if (hit.Part >= 0 || cast.Part >= 0 || nearest.PartB >= 0) parts++;
+            if (hit.Part >= 0 || cast.PartB >= 0 || nearest.PartB >= 0) parts++;
         }
 
         Assert.InRange(hits, 20, 60);
@@ -209,7 +209,7 @@ public class ConcaveSceneTests
             }
         }
 
-        public PartDistance Distance(int a, int b, ConcaveScratch scratch) =>
+        public PairDistance Distance(int a, int b, ConcaveScratch scratch) =>
             ConcaveQuery.Distance(Shapes[a], Poses[a], Shapes[b], Poses[b], scratch);
 
         /// <summary>The first with the least value; NaN does not count.</summary>
@@ -228,30 +228,30 @@ public class ConcaveSceneTests
             from p in Pairs
             let found = ConcaveQuery.Distance(Shapes[p.A], Poses[p.A], Shapes[p.B], Poses[p.B], scratch, Reach)
             where found.Status != GjkStatus.BeyondMaxDistance
-            select Near(new PairDistance(p, found.Result, found.PartA, found.PartB));
+            select Near(found.Of(p));
 
         /// <summary>Distances of convex pairs begin where the last ended, so that their last bits may differ.</summary>
         public string Near(PairDistance d) => AreConvex(d.Pair) ? $"{d.Pair} is near" : Text(d);
 
         public IEnumerable<string> Depths(ConcaveScratch scratch)
         {
-            List<PartDistance> parts = [];
+            List<PairDistance> parts = [];
             foreach (ObjectPair p in Pairs)
             {
                 ConcaveQuery.FindDepths(Shapes[p.A], Poses[p.A], Shapes[p.B], Poses[p.B], scratch, parts);
-                foreach (PartDistance one in parts)
-                    yield return Text(new PairDistance(p, one.Result, one.PartA, one.PartB));
+                foreach (PairDistance one in parts)
+                    yield return Text(one.Of(p));
             }
         }
 
         public IEnumerable<string> Contacts(ConcaveScratch scratch)
         {
-            List<PartContacts> parts = [];
+            List<PairContacts> parts = [];
             foreach (ObjectPair p in Pairs)
             {
                 ConcaveQuery.FindContacts(Shapes[p.A], Poses[p.A], Shapes[p.B], Poses[p.B], Reach, scratch, parts);
-                foreach (PartContacts one in parts)
-                    yield return Text(new PairContacts(p, one.Result, one.Manifold, one.PartA, one.PartB));
+                foreach (PairContacts one in parts)
+                    yield return Text(one.Of(p));
             }
         }
 

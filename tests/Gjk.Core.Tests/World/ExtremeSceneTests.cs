@@ -18,10 +18,10 @@ public class ExtremeSceneTests
             var above = new RigidPose(4e37f * Vector3.UnitY);
             List<int> touching = [];
             Vector3 down = -2 * above.Position;
-            Assert.True(scene.TryFindCastHit(sphere, above, down, out int hit, out CastResult cast));
-            Assert.True(id == hit && cast.Fraction == 0.5f, $"{cast.Fraction}");
-            Assert.True(scene.TryFindRayHit(new RayQuery(above.Position, down), out hit, out _));
-            Assert.True(scene.TryFindNearest(sphere, above, out hit, out DistanceResult r));
+            Assert.True(scene.TryFindCastHit(sphere, above, down, out CastHit cast));
+            Assert.True(id == cast.Id && cast.Fraction == 0.5f, $"{cast.Fraction}");
+            Assert.True(scene.TryFindRayHit(new RayQuery(above.Position, down), out RayHit _));
+            Assert.True(scene.TryFindNearest(sphere, above, out PairDistance r));
             Assert.Equal(4e37f, r.Distance);
             scene.FindObjectsOverlapping(sphere, new RigidPose(1.5f * Vector3.UnitY), touching);
             Assert.Equal([id], touching);
@@ -83,7 +83,7 @@ public class ExtremeSceneTests
             List<CastHit> castHits = [];
             scene.FindCastHits(shape, pose, motion, castHits);
             Assert.True(casts.SequenceEqual(castHits.Select(h => h.Id).Order()), $"{where}: in the way");
-            Assert.True(scene.TryFindNearest(shape, pose, out _, out DistanceResult r) && r.Distance == nearest, where);
+            Assert.True(scene.TryFindNearest(shape, pose, out PairDistance r) && r.Distance == nearest, where);
         }
 
         return touching.Length + rays.Length + casts.Length;

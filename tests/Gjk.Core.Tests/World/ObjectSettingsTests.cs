@@ -84,11 +84,11 @@ public class ObjectSettingsTests
         int wall = scene.Add(ConvexShape.Sphere(1), RigidPose.Identity, new ObjectSettings(isStatic: true));
         int floor = scene.Add(
             ConvexShape.Sphere(1), new RigidPose(new Vector3(1e6f, 0, 0)), new ObjectSettings(isStatic: true));
-        Assert.False(scene.TryFindNearest(wall, out int other, out _));
-        Assert.Equal(-1, other);
+        Assert.False(scene.TryFindNearest(wall, out PairDistance nearest));
+        Assert.Equal(-1, nearest.Pair.B);
         scene.SetSettings(floor, default);
-        Assert.True(scene.TryFindNearest(wall, out other, out DistanceResult result));
-        Assert.Equal((floor, 999998f), (other, result.Distance));
+        Assert.True(scene.TryFindNearest(wall, out nearest));
+        Assert.Equal((floor, 999998f), (nearest.Pair.B, nearest.Distance));
         Assert.Equal(1e6f - 2, scene.Distance(wall, floor).Distance, 1f);
     }
 
@@ -119,12 +119,12 @@ public class ObjectSettingsTests
 
     private static void CheckNearest(CollisionScene scene, ObjectSettings[] settings, int id)
     {
-        bool found = scene.TryFindNearest(id, out int nearest, out DistanceResult result);
+        bool found = scene.TryFindNearest(id, out PairDistance nearest);
         var others = Enumerable.Range(0, settings.Length)
             .Where(o => o != id && ObjectSettings.AreTested(settings[id], settings[o]))
             .Select(o => (Distance: Alone(scene, id, o), Id: o)).ToArray();
         Assert.Equal(others.Length > 0, found);
-        if (found) Assert.Equal(others.Min(), (result.Distance, nearest));
+        if (found) Assert.Equal(others.Min(), (nearest.Distance, nearest.Pair.B));
     }
 
     private static float Alone(CollisionScene scene, int a, int b) =>

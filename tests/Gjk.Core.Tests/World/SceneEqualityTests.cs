@@ -93,7 +93,8 @@ public class SceneEqualityTests
                 if (a == 33) continue;
                 (float Distance, int Id) expected = Enumerable.Range(0, world.Count).Where(b => b != a && b != 33)
                     .Select(b => (DistanceOf(world, a, b), b)).Min();
-                Assert.True(scene.TryFindNearest(a, out int other, out DistanceResult result));
+                Assert.True(scene.TryFindNearest(a, out PairDistance nearest));
+                (int other, DistanceResult result) = (nearest.Pair.B, nearest.Result);
                 Assert.True(
                     expected == (result.Distance, other),
                     $"object {a}: {result.Distance:R} to {other}, not {expected}");

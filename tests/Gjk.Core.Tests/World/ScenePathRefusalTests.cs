@@ -18,15 +18,15 @@ public class ScenePathRefusalTests
         List<RayHit> hits = [];
         scene.FindRayHits(AlongX, hits);
         Assert.Equal([(1, 6f), (3, 6f), (2, 9f), (0, 13f)], hits.Select(h => (h.Id, h.Result.Distance)));
-        Assert.True(scene.TryFindRayHit(AlongX, out int id, out RayCastResult ray));
-        Assert.Equal((1, 6f, -Vector3.UnitX), (id, ray.Distance, ray.Normal));
+        Assert.True(scene.TryFindRayHit(AlongX, out RayHit ray));
+        Assert.Equal((1, 6f, -Vector3.UnitX), (ray.Id, ray.Distance, ray.Result.Normal));
         scene.Remove(1);
-        Assert.True(scene.TryFindRayHit(AlongX, out id, out _) && id == 3);
-        Assert.True(scene.TryFindRayHit(AlongX, out id, out _, new QueryFilter(ignoredId: 3)) && id == 2);
+        Assert.True(scene.TryFindRayHit(AlongX, out ray) && ray.Id == 3);
+        Assert.True(scene.TryFindRayHit(AlongX, out ray, new QueryFilter(ignoredId: 3)) && ray.Id == 2);
 
         var start = new RigidPose(new Vector3(-5, 0, 0));
-        Assert.True(scene.TryFindCastHit(Ball, start, Vector3.UnitX * 10, out id, out CastResult cast));
-        Assert.Equal((3, 0.5f, Vector3.UnitX), (id, cast.Fraction, cast.Normal));
+        Assert.True(scene.TryFindCastHit(Ball, start, Vector3.UnitX * 10, out CastHit cast));
+        Assert.Equal((3, 0.5f, Vector3.UnitX), (cast.Id, cast.Fraction, cast.Result.Normal));
         List<CastHit> casts = [];
         scene.FindCastHits(Ball, start, Vector3.UnitX * 10, casts, 1.25f);
         Assert.Equal([(3, 0.5f), (2, 0.8f), (0, 1.2f)], casts.Select(h => (h.Id, h.Result.Fraction)));
@@ -34,9 +34,9 @@ public class ScenePathRefusalTests
         List<int> touching = [];
         scene.FindObjectsOverlapping(Ball, new RigidPose(new Vector3(7, 0, 0)), touching);
         Assert.Equal([0, 2], touching);
-        Assert.True(scene.TryFindNearest(Ball, start, out id, out DistanceResult nearest, 5));
-        Assert.Equal((3, 5f), (id, nearest.Distance));
-        Assert.False(scene.TryFindNearest(Ball, start, out id, out _, 4.99f) || id >= 0);
+        Assert.True(scene.TryFindNearest(Ball, start, out PairDistance nearest, 5));
+        Assert.Equal((3, 5f), (nearest.Pair.B, nearest.Distance));
+        Assert.False(scene.TryFindNearest(Ball, start, out nearest, 4.99f) || nearest.Pair.B >= 0);
     }
 
     [Theory]
@@ -52,11 +52,11 @@ public class ScenePathRefusalTests
         scene.FindCastHits(Ball, Here, Vector3.UnitX, casts);
         scene.FindObjectsOverlapping(Ball, Here, ids);
         Assert.Equal((0, 0, 0), (rays.Count, casts.Count, ids.Count));
-        Assert.False(scene.TryFindRayHit(AlongX, out int id, out RayCastResult ray) || id >= 0);
+        Assert.False(scene.TryFindRayHit(AlongX, out RayHit ray) || ray.Id >= 0);
         Assert.Equal((CastStatus.Miss, float.PositiveInfinity), (ray.Status, ray.Distance));
-        Assert.False(scene.TryFindCastHit(Ball, Here, Vector3.UnitX, out id, out CastResult cast, 2) || id >= 0);
+        Assert.False(scene.TryFindCastHit(Ball, Here, Vector3.UnitX, out CastHit cast, 2) || cast.Id >= 0);
         Assert.Equal((CastStatus.Miss, 2f), (cast.Status, cast.Fraction));
-        Assert.False(scene.TryFindNearest(Ball, Here, out id, out _) || id >= 0);
+        Assert.False(scene.TryFindNearest(Ball, Here, out PairDistance nearest) || nearest.Pair.B >= 0);
         var results = new RayHit[1];
         scene.FindFirstRayHits([AlongX], results);
         Assert.Equal((-1, CastStatus.Miss), (results[0].Id, results[0].Result.Status));
@@ -77,7 +77,7 @@ public class ScenePathRefusalTests
 
         CollisionScene scene = CollisionSceneTests.Row(BroadPhaseKind.DynamicTree, 0);
         List<RayHit> hits = [default];
-        Refused<ArgumentException>("ray", () => scene.TryFindRayHit(default, out int _, out RayCastResult _));
+        Refused<ArgumentException>("ray", () => scene.TryFindRayHit(default, out RayHit _));
         Refused<ArgumentException>("ray", () => scene.FindRayHits(default, hits));
         Refused<ArgumentNullException>("results", () => scene.FindRayHits(AlongX, null!));
         Assert.Single(hits);
@@ -104,26 +104,26 @@ public class ScenePathRefusalTests
         foreach ((string name, ConvexShape shape, RigidPose pose) in
                  new[] { ("shape", default, Here), ("pose", Ball, default(RigidPose)) })
         {
-            Refused<ArgumentException>(name, () => scene.TryFindCastHit(shape, pose, x, out int _, out CastResult _));
+            Refused<ArgumentException>(name, () => scene.TryFindCastHit(shape, pose, x, out CastHit _));
             Refused<ArgumentException>(name, () => scene.FindCastHits(shape, pose, x, hits));
             Refused<ArgumentException>(name, () => scene.FindObjectsOverlapping(shape, pose, ids));
-            Refused<ArgumentException>(name, () => scene.TryFindNearest(shape, pose, out int _, out _));
+            Refused<ArgumentException>(name, () => scene.TryFindNearest(shape, pose, out PairDistance _));
         }
 
         foreach (Vector3 v in new[] { bad, far })
         {
             Refused<ArgumentOutOfRangeException>("translation", () => scene.FindCastHits(Ball, Here, v, hits));
             Refused<ArgumentOutOfRangeException>(
-                "translation", () => scene.TryFindCastHit(Ball, Here, v, out int _, out CastResult _));
+                "translation", () => scene.TryFindCastHit(Ball, Here, v, out CastHit _));
         }
 
         foreach (float most in new[] { -1, float.NaN, float.NegativeInfinity, -float.Epsilon })
         {
             Refused<ArgumentOutOfRangeException>("maxFraction", () => scene.FindCastHits(Ball, Here, x, hits, most));
             Refused<ArgumentOutOfRangeException>(
-                "maxFraction", () => scene.TryFindCastHit(Ball, Here, x, out int _, out CastResult _, most));
+                "maxFraction", () => scene.TryFindCastHit(Ball, Here, x, out CastHit _, most));
             Refused<ArgumentOutOfRangeException>(
-                "maxDistance", () => scene.TryFindNearest(Ball, Here, out int _, out _, most));
+                "maxDistance", () => scene.TryFindNearest(Ball, Here, out PairDistance _, most));
         }
 
         Refused<ArgumentNullException>("results", () => scene.FindCastHits(Ball, Here, x, null!));

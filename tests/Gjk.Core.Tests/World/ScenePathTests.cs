@@ -28,7 +28,8 @@ public class ScenePathTests
                 rays.Add(new RayQuery(start, motion, (float)(most * ((Double3)motion).Length)));
                 QueryFilter filter = set.Filter();
                 CastOptions options = set.Options();
-                RayHit[] expected = [.. set.Seen(filter).Select(i => new RayHit(i, set.RayCast(i, rays[^1], options)))
+                RayHit[] expected = [.. set.Seen(filter)
+                    .Select(i => new RayHit(set.RayCast(i, rays[^1], options), id: i))
                     .Where(h => h.Result.Status != CastStatus.Miss).Order()];
                 counts[expected.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
@@ -61,7 +62,7 @@ public class ScenePathTests
                 if (set.Rng.Below(10) == 0) motion = default;
                 RigidPose lifted = set.Lifted(shape, pose, filter, options);
                 CastHit[] expected = [.. set.Seen(filter).Select(
-                    i => new CastHit(i, set.PartCast(i, shape, pose, motion, most, options, lifted)))
+                    i => set.CastAt(i, shape, pose, motion, most, options, lifted).Of(i))
                     .Where(h => h.Result.Status != CastStatus.Miss).Order()];
                 counts[expected.Length > 0 ? 1 : 0]++;
                 foreach (CollisionScene scene in set.Scenes)
@@ -73,12 +74,11 @@ public class ScenePathTests
                         Same(expected, all),
                         $"{where}: {string.Join("; ", expected)} but {string.Join("; ", all)}");
                     Assert.True(
-                        scene.TryFindCastHit(
-                            shape, pose, motion, out int id, out CastResult first, most, filter, options)
+                        scene.TryFindCastHit(shape, pose, motion, out CastHit first, most, filter, options)
                             == (expected.Length > 0), where);
-                    Assert.True(id == (expected.Length > 0 ? expected[0].Id : -1), where);
+                    Assert.True(first.Id == (expected.Length > 0 ? expected[0].Id : -1), where);
                     Assert.True(expected.Length == 0 ? first.Status == CastStatus.Miss && first.Fraction == most
-                        : CastBits.AreSame(expected[0].Result, first), where);
+                        : CastBits.AreSame(expected[0].Result, first.Result), where);
                 }
             }
         }
@@ -105,12 +105,13 @@ public class ScenePathTests
                 foreach (CollisionScene scene in set.Scenes)
                 {
                     string where = $"{message}, {k}";
-                    List<int> found = [];
-                    scene.FindObjectsOverlapping(shape, pose, found, filter);
-                    Assert.True(touching.SequenceEqual(found), where);
-                    bool any = scene.TryFindNearest(shape, pose, out int id, out DistanceResult result, most, filter);
-                    Assert.True(any == (nearest.Id >= 0) && id == nearest.Id, $"{where}: {id}, not {nearest.Id}");
-                    Assert.True(!any || ResultBits.AreSame(nearest.Result, result), where);
+                    List<int> overlapping = [];
+                    scene.FindObjectsOverlapping(shape, pose, overlapping, filter);
+                    Assert.True(touching.SequenceEqual(overlapping), where);
+                    bool any = scene.TryFindNearest(shape, pose, out PairDistance found, most, filter);
+                    Assert.True(
+                        any == (nearest.Id >= 0) && found.Pair.B == nearest.Id, $"{where}: {found}, not {nearest.Id}");
+                    Assert.True(!any || ResultBits.AreSame(nearest.Result, found.Result), where);
                 }
             }
         }
@@ -126,10 +127,10 @@ public class ScenePathTests
         scene.FindRayHits(ray, all, filter, options);
         Assert.True(
             Same(expected, all), $"{message}, {ray}: {string.Join("; ", expected)} but {string.Join("; ", all)}");
-        bool isHit = scene.TryFindRayHit(ray, out int id, out RayCastResult first, filter, options);
+        bool isHit = scene.TryFindRayHit(ray, out RayHit first, filter, options);
         Assert.True(isHit == (expected.Length > 0), message);
-        Assert.True(id == (isHit ? expected[0].Id : -1), $"{message}, {ray}");
-        Assert.True(isHit ? CastBits.AreSame(expected[0].Result, first)
+        Assert.True(first.Id == (isHit ? expected[0].Id : -1), $"{message}, {ray}");
+        Assert.True(isHit ? CastBits.AreSame(expected[0].Result, first.Result)
             : first.Status == CastStatus.Miss && first.Distance == ray.MaxDistance, message);
     }
 
@@ -148,9 +149,9 @@ public class ScenePathTests
                 scene.FindFirstRayHits(rays, results, w, filter, options);
                 for (int i = 0; i < rays.Length; i++)
                 {
-                    scene.TryFindRayHit(rays[i], out int id, out RayCastResult result, filter, options);
+                    scene.TryFindRayHit(rays[i], out RayHit hit, filter, options);
                     Assert.True(
-                        id == results[i].Id && CastBits.AreSame(result, results[i].Result),
+                        hit.Id == results[i].Id && CastBits.AreSame(hit.Result, results[i].Result),
                         $"{message}, ray {i}, {(w is null ? 1 : 3)} threads");
                 }
             }

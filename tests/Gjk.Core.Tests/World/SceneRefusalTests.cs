@@ -78,7 +78,7 @@ public class SceneRefusalTests
             Action[] calls =
             [
                 () => scene.Move(id, RigidPose.Identity), () => scene.Remove(id), () => scene.GetPose(id),
-                () => scene.GetShape(id), () => scene.TryFindNearest(id, out _, out _),
+                () => scene.GetShape(id), () => scene.TryFindNearest(id, out _),
             ];
             foreach (Action call in calls)
             {

@@ -21,15 +21,15 @@ public class UnionSlideTests
                 AddFloor(scene, floor);
                 var from = new RigidPose(new Vector3(1.1f, 1.3f - deep, 0.05f));
                 bool isHit = scene.TryFindCastHit(
-                    body, from, new Vector3(5, 0, 0), out _, out CastResult hit, options: NoDeeper);
+                    body, from, new Vector3(5, 0, 0), out CastHit hit, options: NoDeeper);
                 Assert.False(isHit, $"{floor}, {deep}: {hit}");
                 int wall = scene.Add(ConvexShape.Box(new Vector3(0.5f, 3, 3)), new RigidPose(new Vector3(5, 0, 0)));
                 Assert.True(scene.TryFindCastHit(
-                    body, from, new Vector3(5, 0, 0), out int id, out hit, options: NoDeeper));
-                Assert.Equal(wall, id);
+                    body, from, new Vector3(5, 0, 0), out hit, options: NoDeeper));
+                Assert.Equal(wall, hit.Id);
                 Assert.Equal((4.5f - 0.3f - 1.1f) / 5, hit.Fraction, 1e-5f);
                 Assert.True(
-                    scene.TryFindCastHit(body, from, new Vector3(0, -0.1f, 0), out _, out hit, options: NoDeeper),
+                    scene.TryFindCastHit(body, from, new Vector3(0, -0.1f, 0), out hit, options: NoDeeper),
                     $"{floor}: down");
             }
         }
@@ -48,7 +48,7 @@ public class UnionSlideTests
         var scratch = new ConcaveScratch();
         AnyShape body = AnyShape.Of(ConvexShape.Capsule(0.3f, 0.5f));
         var from = new RigidPose(new Vector3(1.1f, height + 1.29f, 0.05f));
-        PartCast found = turns
+        CastHit found = turns
             ? ConcaveQuery.TimeOfImpact(
                 floor, new RigidMotion(at, Vector3.Zero), body,
                 new RigidMotion(from, new Vector3(5, 0, 0), new Vector3(0, 0.1f, 0)), scratch, options: options)

@@ -97,7 +97,7 @@ public class WorldAllocationTests
             scene.FindContacts(0.05f, contacts, workers);
             for (int i = 0; i < 50 && i + 1 < count; i++)
             {
-                scene.TryFindNearest(i, out int _, out _);
+                scene.TryFindNearest(i, out _);
                 scene.Distance(i, i + 1);
             }
 
@@ -116,12 +116,12 @@ public class WorldAllocationTests
         scene.FindFirstRayHits(rays, firstHits, workers);
         for (int i = 0; i < 20; i++)
         {
-            scene.TryFindRayHit(rays[i], out int _, out RayCastResult _);
+            scene.TryFindRayHit(rays[i], out _);
             scene.FindRayHits(rays[i], rayHits);
-            scene.TryFindCastHit(shapes[i], poses[i], Vector3.UnitX, out int _, out CastResult _);
+            scene.TryFindCastHit(shapes[i], poses[i], Vector3.UnitX, out _);
             scene.FindCastHits(shapes[i], poses[i], Vector3.UnitX, castHits);
             scene.FindObjectsOverlapping(shapes[i], poses[i], ids);
-            scene.TryFindNearest(shapes[i], poses[i], out int _, out _, 1);
+            scene.TryFindNearest(shapes[i], poses[i], out _, 1);
         }
     }
 }

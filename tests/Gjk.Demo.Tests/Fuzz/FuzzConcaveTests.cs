@@ -25,7 +25,7 @@ public sealed class FuzzConcaveTests
             overlaps += pair.Answer.IsOverlapping ? 1 : 0;
             inside += pair.HoldsPiece ? 1 : 0;
             exact += pair.RawA.CornersOf(0) is not null && pair.RawB.CornersOf(0) is not null ? 1 : 0;
-            PartCast cast = ConcaveQuery.Cast(
+            CastHit cast = ConcaveQuery.Cast(
                 pair.A, pair.PoseA, pair.Motion.A, pair.B, pair.PoseB, pair.Motion.B, pair.Scratch);
             hits += cast.Status == CastStatus.Hit ? 1 : 0;
             Assert.Equal(pair.Text, ConcaveFamilies.Draw(3, i, out _).Text);
@@ -118,7 +118,7 @@ public sealed class FuzzConcaveTests
             if (pair.PairCount > 2000) continue;
             Scene scene = SceneFile.Load(directory.Write("s.json", pair.Text), CancellationToken.None);
             SceneObject a = scene.Objects[0], b = scene.Objects[1];
-            PartDistance found = ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, pair.Scratch);
+            PairDistance found = ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, pair.Scratch);
             Assert.Equal(pair.Answer.ToString(), found.ToString());
             Assert.Equal((pair.Motion.A, pair.Motion.B), (a.Velocity, b.Velocity));
         }

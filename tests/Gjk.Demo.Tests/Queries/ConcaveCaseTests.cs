@@ -36,7 +36,7 @@ public sealed class ConcaveCaseTests
         {
             bool isOverlap = row[2] == "true";
             double truth = Number(row[3]), depth = Number(row[5]), scale = Number(row[6]);
-            PartDistance found = ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, _scratch);
+            PairDistance found = ConcaveQuery.Distance(a.Any, a.Pose, b.Any, b.Pose, _scratch);
             string what = $"{string.Join(',', row)}: {found}";
             if (found.IsOverlapping != isOverlap)
                 Assert.True((isOverlap ? depth : truth) <= Unclear * scale, what);
@@ -56,7 +56,7 @@ public sealed class ConcaveCaseTests
         foreach ((SceneObject a, SceneObject b, string[] row) in Rows(name))
         {
             double truth = Number(row[3]), scale = Number(row[7]);
-            PartCast found = ConcaveQuery.Cast(a.Any, a.Pose, a.Velocity, b.Any, b.Pose, b.Velocity, _scratch);
+            CastHit found = ConcaveQuery.Cast(a.Any, a.Pose, a.Velocity, b.Any, b.Pose, b.Velocity, _scratch);
             string what = $"{string.Join(',', row)}: {found}";
             Assert.True(found.Status.ToString().ToLowerInvariant() == row[2].Replace("_", ""), what);
             double way = ((Double3)b.Velocity - a.Velocity).Length;
@@ -71,7 +71,7 @@ public sealed class ConcaveCaseTests
         foreach ((SceneObject a, SceneObject b, string[] row) in Rows("points"))
         {
             double truth = Number(row[3]), scale = Number(row[6]);
-            PartDistance found = ConcaveQuery.SignedDistance(a.Any, a.Pose, b.Any, b.Pose, _scratch);
+            PairDistance found = ConcaveQuery.SignedDistance(a.Any, a.Pose, b.Any, b.Pose, _scratch);
             string what = $"{string.Join(',', row)}: {found}";
             Assert.True(Math.Abs(Math.Abs(found.Distance) - truth) <= PerDistance * truth + PerScale * scale, what);
             bool isClear = row[2] != "on" && truth > Unclear * scale;

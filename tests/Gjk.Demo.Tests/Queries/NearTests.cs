@@ -57,7 +57,7 @@ public sealed class NearTests
         run.AssertDone();
         Scene scene = SceneFile.Load(file, CancellationToken.None);
         var expected = new List<string> { Columns };
-        var contacts = new List<PartContacts>();
+        var contacts = new List<PairContacts>();
         var scratch = new ConcaveScratch();
         foreach ((int a, int b) in scene.Pairs)
         {
@@ -71,7 +71,7 @@ public sealed class NearTests
             }
 
             ConcaveQuery.FindContacts(one.Any, one.Pose, other.Any, other.Pose, gap, scratch, contacts);
-            foreach (PartContacts found in contacts)
+            foreach (PairContacts found in contacts)
             {
                 for (int i = 0; i < found.Manifold.Count; i++)
                     expected.Add(Row(a, b, found.PartA, found.PartB, found.Manifold, i));

@@ -47,7 +47,7 @@ internal sealed class ConcavePair
     public ConvexShape[] PartsB { get; }
 
     /// <summary>What the cold query says, with a scratch that nothing has used.</summary>
-    public PartDistance Answer { get; }
+    public PairDistance Answer { get; }
 
     /// <summary>Used by all promises, so that what one leaves in it may spoil the next.</summary>
     public ConcaveScratch Scratch { get; } = new();
@@ -80,7 +80,7 @@ internal sealed class ConcavePair
         Math.Max(LongestSide(PartsA[partA]), LongestSide(PartsB[partB]));
 
     /// <summary>Length: what the distance of two parts may be off as one of them is curved; 0 if none is.</summary>
-    public double CurvedBandOf(in PartDistance of)
+    public double CurvedBandOf(in PairDistance of)
     {
         int index = IndexOf(of.PartA, of.PartB);
         if (index < 0) return 0;

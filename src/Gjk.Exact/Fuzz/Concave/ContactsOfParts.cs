@@ -27,9 +27,9 @@ internal static class ContactsOfParts
         if (pair.IsUnknown) return null;
         float gap = pair.Least + 0.01f * (float)pair.ScaleOf(0, 0);
         if (!float.IsFinite(gap) || pair.All.Count(one => one.Distance <= gap) > 500) return null;
-        var found = new List<PartContacts>();
+        var found = new List<PairContacts>();
         ConcaveQuery.FindContacts(pair.A, pair.PoseA, pair.B, pair.PoseB, gap, pair.Scratch, found);
-        foreach (PartContacts one in found)
+        foreach (PairContacts one in found)
             if (Fault(pair, found, one, gap) is { } fault) return Say.Line($"{one}: {fault}");
         if (pair.HasSolid || (pair.RawA.Triangles is null && !pair.RawA.IsConvex)
             || (pair.RawB.Triangles is null && !pair.RawB.IsConvex))
@@ -56,12 +56,12 @@ internal static class ContactsOfParts
     }
 
     /// <summary>What is wrong about a contact, or null.</summary>
-    private static string? Fault(ConcavePair pair, List<PartContacts> found, in PartContacts one, float gap)
+    private static string? Fault(ConcavePair pair, List<PairContacts> found, in PairContacts one, float gap)
     {
         int i = pair.IndexOf(one.PartA, one.PartB), a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
         Vector3 normal = one.Manifold.Normal;
         DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
-        bool IsOwn(PartContacts other) =>
+        bool IsOwn(PairContacts other) =>
             manifold.Count > 0 && other.Manifold.Normal == manifold.Normal && other.Result.Distance == part.Distance;
         if (IsOwn(one)) return null;
 
@@ -107,9 +107,9 @@ internal static class ContactsOfParts
     /// <summary>Whether all points of a contact are on or behind the plane of another, found or of two parts, by no
     /// more than that pushes the other body out of it: such a side may be covered.</summary>
     private static bool IsBuried(
-        ConcavePair pair, List<PartContacts> found, in ContactManifold contact, float gap)
+        ConcavePair pair, List<PairContacts> found, in ContactManifold contact, float gap)
     {
-        foreach (PartContacts one in found)
+        foreach (PairContacts one in found)
             if (Buries(pair, one.Manifold, contact)) return true;
         for (int i = 0; i < pair.PairCount; i++)
         {

@@ -35,14 +35,14 @@ internal static class FirstOfParts
             [.. pair.PartsA.Select(part => ConvexQuery.RayCast(part, pair.PoseA, origin, direction, most))];
         if (all.Any(one => one.Status is CastStatus.IterationLimit or CastStatus.InvalidInput)) return null;
         int[] met = [.. Enumerable.Range(0, all.Length).Where(i => all[i].IsHit)];
-        var found = new List<PartRayHit>();
+        var found = new List<RayHit>();
         ConcaveQuery.RayCastAll(pair.A, pair.PoseA, origin, direction, pair.Scratch, found, most);
         if (!found.Select(hit => pair.RawA.IsConvex ? 0 : hit.Part).Order().SequenceEqual(met)
             || found.Any(hit => hit.Distance != all[Math.Max(hit.Part, 0)].Distance))
             return Say.Line($"{found.Count} hits of parts, but there are {met.Length}");
         if (found.Zip(found.Skip(1)).Any(two => two.First.Distance > MathF.BitIncrement(two.Second.Distance)))
             return Say.Line($"{found.Count} hits of parts, not in their order");
-        PartRayHit first = ConcaveQuery.RayCast(pair.A, pair.PoseA, origin, direction, pair.Scratch, most);
+        RayHit first = ConcaveQuery.RayCast(pair.A, pair.PoseA, origin, direction, pair.Scratch, most);
         if (pair.RawA.IsSolid)
         {
             PointTruth at = PointTruth.Of(pair, origin, random);
@@ -73,7 +73,7 @@ internal static class FirstOfParts
         CastResult[] all = pair.Ask(
             (in ConvexShape x, in ConvexShape y) =>
                 ConvexQuery.Cast(x, pair.PoseA, a, y, pair.PoseB, b, 1, options));
-        PartCast found = ConcaveQuery.Cast(
+        CastHit found = ConcaveQuery.Cast(
             pair.A, pair.PoseA, a, pair.B, pair.PoseB, b, pair.Scratch, 1, options);
         if (pair.HoldsPiece)
         {
@@ -99,7 +99,7 @@ internal static class FirstOfParts
         return First(pair, all, ConcaveQuery.TimeOfImpact(pair.A, a, pair.B, b, pair.Scratch));
     }
 
-    private static string? First(ConcavePair pair, CastResult[] all, in PartCast found)
+    private static string? First(ConcavePair pair, CastResult[] all, in CastHit found)
     {
         if (all.Any(one => one.Status is not (CastStatus.Hit or CastStatus.Miss or CastStatus.OverlappingAtStart)))
             return null;
@@ -119,7 +119,7 @@ internal static class FirstOfParts
 
     /// <summary>What is found is the answer for its own parts: where several are met at one fraction, it may be that of
     /// any of them.</summary>
-    private static string? Own(ConcavePair pair, CastResult[] all, in PartCast found)
+    private static string? Own(ConcavePair pair, CastResult[] all, in CastHit found)
     {
         if (!found.IsHit) return null;
         CastResult own = all[pair.IndexOf(found.PartA, found.PartB)];

@@ -11,7 +11,7 @@ internal static class LeastOfParts
     public static string? Distance(ConcavePair pair)
     {
         if (pair.IsUnknown) return null;
-        PartDistance r = pair.Answer;
+        PairDistance r = pair.Answer;
         bool isAnswer = r.Status is GjkStatus.Separated or GjkStatus.Overlapping;
         if (!isAnswer || r.IsOverlapping != pair.IsOverlap)
             return Say.Line($"{r}, but of all parts {pair.Least:R}, holds a piece {pair.HoldsPiece}");
@@ -29,7 +29,7 @@ internal static class LeastOfParts
 
     public static string? Exact(ConcavePair pair)
     {
-        PartDistance r = pair.Answer;
+        PairDistance r = pair.Answer;
         int index = pair.IndexOf(r.PartA, r.PartB);
         if (index < 0 || pair.HoldsPiece) return null;
         FuzzRandom random = pair.Random(1);
@@ -55,10 +55,10 @@ internal static class LeastOfParts
 
     public static string? Limits(ConcavePair pair)
     {
-        PartDistance r = pair.Answer;
+        PairDistance r = pair.Answer;
         bool isOverlap = ConcaveQuery.Overlaps(pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch);
         if (isOverlap != r.IsOverlapping) return Say.Line($"Overlaps says {isOverlap}, Distance {r}");
-        PartDistance within = ConcaveQuery.Distance(
+        PairDistance within = ConcaveQuery.Distance(
             pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch, r.Distance);
 
 
@@ -69,7 +69,7 @@ internal static class LeastOfParts
         if (within.Status != r.Status || within.Distance != r.Distance) return Say.Line($"within: {within}, not {r}");
         if (!(r.Distance > 0)) return null;
         float less = pair.Random(2).OneIn(2) ? MathF.BitDecrement(r.Distance) : r.Distance * 0.5f;
-        PartDistance beyond = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch, less);
+        PairDistance beyond = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch, less);
         return beyond.Status == GjkStatus.BeyondMaxDistance && beyond.Result.LowerBound <= r.Distance
             ? null
             : Say.Line($"beyond {less:R}: {beyond}, bound {beyond.Result.LowerBound:R}, but {r}");
@@ -83,7 +83,7 @@ internal static class LeastOfParts
         float reach = sorted[(int)(random.Unit() * random.Unit() * sorted.Length)];
         if (random.OneIn(3)) reach *= random.Float(1, 1.1);
         if (!float.IsFinite(reach)) return null;
-        var found = new List<PartDistance>();
+        var found = new List<PairDistance>();
         ConcaveQuery.FindPairsWithin(pair.A, pair.PoseA, pair.B, pair.PoseB, reach, pair.Scratch, found);
         int next = 0;
         for (int i = 0; i < pair.PairCount; i++)
@@ -101,7 +101,7 @@ internal static class LeastOfParts
     public static string? Depths(ConcavePair pair)
     {
         if (pair.IsUnknown) return null;
-        var found = new List<PartDistance>();
+        var found = new List<PairDistance>();
         ConcaveQuery.FindDepths(pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch, found);
         int[] overlaps = [.. Enumerable.Range(0, pair.PairCount).Where(i => pair.All[i].IsOverlapping)];
         if (!overlaps.SequenceEqual(found.Select(one => pair.IndexOf(one.PartA, one.PartB))))

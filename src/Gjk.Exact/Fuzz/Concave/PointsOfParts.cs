@@ -72,7 +72,7 @@ internal static class PointsOfParts
 
     private static string? At(ConcavePair pair, Vector3 point, in PointTruth truth)
     {
-        PartDistance signed = ConcaveQuery.SignedDistance(pair.A, pair.PoseA, point, pair.Scratch);
+        PairDistance signed = ConcaveQuery.SignedDistance(pair.A, pair.PoseA, point, pair.Scratch);
         if (signed.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
         bool isIn = ConcaveQuery.Contains(pair.A, pair.PoseA, point, pair.Scratch);
         if (isIn != (truth.Distance == 0 || truth.IsInside))
@@ -80,7 +80,7 @@ internal static class PointsOfParts
         bool hasDepth = pair.RawA.IsConvex;
         if (!hasDepth && signed.Distance != (truth.IsInside ? -truth.Distance : truth.Distance))
             return Say.Line($"{signed}, but it is {truth.Distance:R} away, inside {truth.IsInside}");
-        PartDistance plain = ConcaveQuery.Distance(pair.A, pair.PoseA, point, pair.Scratch);
+        PairDistance plain = ConcaveQuery.Distance(pair.A, pair.PoseA, point, pair.Scratch);
         if (plain.Distance != (isIn ? 0 : truth.Distance)) return Say.Line($"{plain}, but {truth.Distance:R}");
         Vector3 closest = ConcaveQuery.ClosestPoint(pair.A, pair.PoseA, point, pair.Scratch);
         return closest == (isIn ? point : plain.Result.PointA) ? null : Say.Line($"the closest point is {closest}");

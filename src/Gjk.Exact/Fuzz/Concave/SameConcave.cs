@@ -10,15 +10,15 @@ internal static class SameConcave
     public static string? Again(ConcavePair pair)
     {
         ConcaveQuery.Distance(pair.B, pair.PoseB, pair.B, pair.PoseA, pair.Scratch);
-        PartDistance again = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch);
+        PairDistance again = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, pair.Scratch);
         AnyShape built = pair.RawB.Build();
-        PartDistance anew = ConcaveQuery.Distance(pair.A, pair.PoseA, built, pair.PoseB, pair.Scratch);
+        PairDistance anew = ConcaveQuery.Distance(pair.A, pair.PoseA, built, pair.PoseB, pair.Scratch);
         return Problem(pair, again, "asked again") ?? Problem(pair, anew, "built anew");
     }
 
     public static string? Warm(ConcavePair pair)
     {
-        PartDistance r = pair.Answer;
+        PairDistance r = pair.Answer;
         PartWarmStart warm = default;
         FuzzRandom random = pair.Random(4);
         Vector3 shift = pair.Motion.B * random.Float(-0.1, 0.1);
@@ -26,7 +26,7 @@ internal static class SameConcave
         ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, before, ref warm, pair.Scratch);
         for (int i = 0; i < 2; i++)
         {
-            PartDistance found = ConcaveQuery.Distance(
+            PairDistance found = ConcaveQuery.Distance(
                 pair.A, pair.PoseA, pair.B, pair.PoseB, ref warm, pair.Scratch);
             if (found.Status != r.Status || found.Distance != r.Distance || found.Result.LowerBound > r.Distance)
                 return Say.Line($"warm {found}, bound {found.Result.LowerBound:R}, cold {r}");
@@ -40,8 +40,8 @@ internal static class SameConcave
 
     public static string? Swapped(ConcavePair pair)
     {
-        PartDistance r = pair.Answer;
-        PartDistance s = ConcaveQuery.Distance(pair.B, pair.PoseB, pair.A, pair.PoseA, pair.Scratch);
+        PairDistance r = pair.Answer;
+        PairDistance s = ConcaveQuery.Distance(pair.B, pair.PoseB, pair.A, pair.PoseA, pair.Scratch);
         int index = pair.IndexOf(r.PartA, r.PartB);
         double scale = index < 0 ? 0 : pair.ScaleOf(index / pair.PartsB.Length, index % pair.PartsB.Length);
         double band = 2 * Accuracy.CurvedBand(r.Distance, scale) + Accuracy.LeastFloat;
@@ -59,14 +59,14 @@ internal static class SameConcave
             if (!float.IsFinite(p.LengthSquared())) return null;
         TriangleMesh mesh = elsewhere.Build().WithVertices(triangles.Points);
         if (pair.RawA.Scale != Vector3.One) mesh = mesh.Scaled(pair.RawA.Scale);
-        PartDistance found = ConcaveQuery.Distance(
+        PairDistance found = ConcaveQuery.Distance(
             AnyShape.Surface(mesh), pair.PoseA, pair.B, pair.PoseB, pair.Scratch);
         return pair.RawA.IsSolid || found.Distance == pair.Answer.Distance
             ? null
             : Say.Line($"moved: {found}, new: {pair.Answer}");
     }
 
-    private static string? Problem(ConcavePair pair, in PartDistance other, string name) =>
+    private static string? Problem(ConcavePair pair, in PairDistance other, string name) =>
         other.PartA == pair.Answer.PartA && other.PartB == pair.Answer.PartB
             ? Same.BitProblem(pair.Answer.Result, other.Result, name)
             : Say.Line($"{name}: {other}; as given: {pair.Answer}");

@@ -23,7 +23,7 @@ internal static class ScenesOfParts
             if (Frame(pair, scene, poseB, reach) is { } how) return Say.Line($"frame {frame}, within {reach:R}: {how}");
         }
 
-        var results = new PartDistance[1];
+        var results = new PairDistance[1];
         PairBatch.Distance([pair.A, pair.B], [pair.PoseA, pair.PoseB], [new ObjectPair(0, 1)], results, pair.Scratch);
         return results[0].PartA == pair.Answer.PartA && results[0].PartB == pair.Answer.PartB
             ? Same.BitProblem(pair.Answer.Result, results[0].Result, "as a batch")
@@ -32,7 +32,7 @@ internal static class ScenesOfParts
 
     private static string? Frame(ConcavePair pair, CollisionScene scene, in RigidPose poseB, float reach)
     {
-        PartDistance alone = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, poseB, pair.Scratch, reach);
+        PairDistance alone = ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, poseB, pair.Scratch, reach);
         var near = new List<PairDistance>();
         scene.FindPairsWithin(reach, near);
         bool isNear = alone.Status != GjkStatus.BeyondMaxDistance;
@@ -42,7 +42,7 @@ internal static class ScenesOfParts
         scene.FindOverlaps(overlaps);
         bool isOverlap = ConcaveQuery.Overlaps(pair.A, pair.PoseA, pair.B, poseB, pair.Scratch);
         if (overlaps.Count != (isOverlap ? 1 : 0)) return Say.Line($"{overlaps.Count} overlaps, but {isOverlap}");
-        List<PartContacts> parts = [];
+        List<PairContacts> parts = [];
         ConcaveQuery.FindContacts(pair.A, pair.PoseA, pair.B, poseB, reach, pair.Scratch, parts);
         List<PairContacts> contacts = [];
         scene.FindContacts(reach, contacts);

@@ -92,8 +92,9 @@ namespace Gjk.Unity
             if (shape.IsConvex)
             {
                 bool isHit = _scene.TryFindCastHit(
-                    shape.Shape, shape.Pose, way, out int id, out result, maxFraction, Sees(filter));
-                if (isHit) met = _byId[id].Source;
+                    shape.Shape, shape.Pose, way, out CastHit hit, maxFraction, Sees(filter));
+                result = hit.Result;
+                if (isHit) met = _byId[hit.Id].Source;
                 return isHit;
             }
 

@@ -14,7 +14,7 @@ namespace Gjk.Unity
         private static ConcaveScratch _scratch;
 
         [ThreadStatic]
-        private static List<PartDistance> _parts;
+        private static List<PairDistance> _parts;
 
         private static ConcaveScratch Scratch => _scratch ?? (_scratch = new ConcaveScratch());
 
@@ -31,7 +31,7 @@ namespace Gjk.Unity
             if (a.IsConvex && b.IsConvex) return ConvexQuery.SignedDistance(a.Shape, a.Pose, b.Shape, b.Pose);
             DistanceResult found = ConcaveQuery.SignedDistance(a.Any, a.Pose, b.Any, b.Pose, Scratch).Result;
             if (!found.IsOverlapping || found.Distance < 0) return found;
-            if (_parts == null) _parts = new List<PartDistance>();
+            if (_parts == null) _parts = new List<PairDistance>();
             ConcaveQuery.FindDepths(a.Any, a.Pose, b.Any, b.Pose, Scratch, _parts);
             for (int i = 0; i < _parts.Count; i++)
             {
@@ -56,7 +56,7 @@ namespace Gjk.Unity
             triangle = -1;
             if (shape.IsConvex)
                 return ConvexQuery.RayCast(shape.Shape, shape.Pose, ray.Origin, ray.Direction, ray.MaxDistance);
-            PartRayHit hit = ConcaveQuery.RayCast(
+            RayHit hit = ConcaveQuery.RayCast(
                 shape.Any, shape.Pose, ray.Origin, ray.Direction, Scratch, ray.MaxDistance);
             triangle = hit.Part;
             return hit.Result;

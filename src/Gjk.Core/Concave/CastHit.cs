@@ -1,8 +1,13 @@
 namespace Gjk.Core;
 
-/// <summary>When two moving shapes of any kind first touch, and with which parts. Immutable.</summary>
-public readonly struct PartCast : IComparable<PartCast>
+/// <summary>When two moving shapes of any kind first touch, or a moving shape and an object, and with which parts.
+/// Immutable.</summary>
+public readonly struct CastHit : IComparable<CastHit>
 {
+    /// <summary>The object; B of <see cref="Result"/>. -1 where B is none of a scene's, and where nothing was
+    /// found.</summary>
+    public readonly int Id;
+
     /// <summary>The contact of the two parts. Where one begins inside a solid: OverlappingAtStart, with the way
     /// out over the solid's outside.</summary>
     public readonly CastResult Result;
@@ -17,12 +22,15 @@ public readonly struct PartCast : IComparable<PartCast>
     /// <summary>What of the parts meets.</summary>
     internal readonly MetFeature Feature;
 
-    internal PartCast(in CastResult result, int partA, int partB, MetFeature feature = MetFeature.None)
+    internal CastHit(
+        in CastResult result, int partA = PartSide.NoPart, int partB = PartSide.NoPart,
+        MetFeature feature = MetFeature.None, int id = -1)
     {
-        Feature = feature;
+        Id = id;
         Result = result;
         PartA = partA;
         PartB = partB;
+        Feature = feature;
     }
 
     /// <summary>What was found.</summary>
@@ -34,16 +42,21 @@ public readonly struct PartCast : IComparable<PartCast>
     /// <summary>True when a contact was found that counts: on the way, or at the start.</summary>
     public bool IsHit => Result.IsHit;
 
+    /// <summary>The same with an object of a scene.</summary>
+    internal CastHit Of(int id) => new(Result, PartA, PartB, Feature, id);
+
     /// <summary>By the fraction as it was solved; at the start the deepest first; where several are met at once, a face
-    /// before an edge before a corner; then by the part of A and that of B.</summary>
-    public int CompareTo(PartCast other)
+    /// before an edge before a corner; then by the object, the part of A and that of B.</summary>
+    public int CompareTo(CastHit other)
     {
         int order = Result.Order.CompareTo(other.Result.Order);
         if (order == 0) order = Feature.CompareTo(other.Feature);
+        if (order == 0) order = Id.CompareTo(other.Id);
         if (order == 0) order = PartA.CompareTo(other.PartA);
         return order != 0 ? order : PartB.CompareTo(other.PartB);
     }
 
-    /// <summary>The result and the parts, for people to read.</summary>
-    public override string ToString() => $"{Result}, parts {PartA} and {PartB}";
+    /// <summary>The object, the parts and the result, for people to read.</summary>
+    public override string ToString() =>
+        FormattableString.Invariant($"{Id}, parts {PartA} and {PartB}: {Result}");
 }

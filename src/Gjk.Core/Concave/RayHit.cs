@@ -1,8 +1,11 @@
 namespace Gjk.Core;
 
-/// <summary>Where a ray first meets a shape of any kind, and which part. Immutable.</summary>
-public readonly struct PartRayHit : IComparable<PartRayHit>
+/// <summary>Where a ray first meets a shape of any kind or an object, and which part. Immutable.</summary>
+public readonly struct RayHit : IComparable<RayHit>
 {
+    /// <summary>The object; -1 where the shape is none of a scene's, and where the ray meets nothing.</summary>
+    public readonly int Id;
+
     /// <summary>What the part says. Of a ray that begins inside a solid: OverlappingAtStart, with the depth and the
     /// normal of the nearest point of the surface.</summary>
     public readonly RayCastResult Result;
@@ -10,8 +13,9 @@ public readonly struct PartRayHit : IComparable<PartRayHit>
     /// <summary>The triangle or part, as the caller numbered it; -1 of a convex shape, and at a miss.</summary>
     public readonly int Part;
 
-    internal PartRayHit(in RayCastResult result, int part)
+    internal RayHit(in RayCastResult result, int part = PartSide.NoPart, int id = -1)
     {
+        Id = id;
         Result = result;
         Part = part;
     }
@@ -25,13 +29,17 @@ public readonly struct PartRayHit : IComparable<PartRayHit>
     /// <summary>True when a contact was found that counts: on the way, or at the origin.</summary>
     public bool IsHit => Result.IsHit;
 
-    /// <summary>By the distance as it was solved, then by the part.</summary>
-    public int CompareTo(PartRayHit other)
+    /// <summary>The same with an object of a scene.</summary>
+    internal RayHit Of(int id) => new(Result, Part, id);
+
+    /// <summary>By the distance as it was solved, then by the object, then by the part.</summary>
+    public int CompareTo(RayHit other)
     {
         int order = Result.Order.CompareTo(other.Result.Order);
+        if (order == 0) order = Id.CompareTo(other.Id);
         return order != 0 ? order : Part.CompareTo(other.Part);
     }
 
-    /// <summary>The result and the part, for people to read.</summary>
-    public override string ToString() => $"{Result}, part {Part}";
+    /// <summary>The object, the part and the result, for people to read.</summary>
+    public override string ToString() => FormattableString.Invariant($"{Id}, part {Part}: {Result}");
 }
