@@ -81,6 +81,8 @@ async function look(context, name) {
   page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(origin)) complaints.push(`fetched ${request.url()}`); });
   await page.goto(`${origin}/${name.replace(/\.html$/, '')}`.replace(/index$/, ''), { waitUntil: 'load' });
   await page.locator('.VPDoc, .VPHome').first().waitFor();
+  // What slides or fades away when the size changes is away at once.
+  await page.addStyleTag({ content: '* { transition: none !important }' });
   for (const href of await page.locator('a[href]').evaluateAll((all) => all.map((a) => a.href))) {
     if (href.startsWith(origin)) links.set(href, name);
   }
@@ -141,6 +143,9 @@ function cutOff() {
     if (cell.clientWidth > 0 && cell.clientWidth < 40 && longest > 4)
       wide.push(`a cell of ${cell.clientWidth}: ${cell.textContent.slice(0, 40)}`);
   }
+  // Where there is room, a word in a cell stays in one piece.
+  for (const name of document.querySelectorAll('.vp-doc table:not(:has(th:nth-child(4))) td code'))
+    if (width > 640 && !/[\s{(/_.-]/.test(name.textContent) && name.getClientRects().length > 1) wide.push(`${name.textContent} is broken`);
   // A break before a component at the start of a line is lost, and with it the space.
   for (const part of document.querySelectorAll('.vp-doc .part'))
     if (/\w$/.test(part.previousSibling?.textContent ?? '')) wide.push(`no space before ${part.textContent}`);

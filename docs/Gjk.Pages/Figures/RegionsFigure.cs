@@ -36,8 +36,8 @@ internal static class RegionsFigure
         panel.Label(new(-1.55f, 0.75f), "nearest: edge wp");
         panel.Label(new(0.1f, -0.1f), "inside");
         panel.Label(new(0.55f, 1.85f), "nearest: w", dx: -20);
-        panel.Label(new(-2.05f, -1.1f), "nearest: p");
-        panel.Label(new(2.1f, -1.1f), "nearest: q");
+        panel.Label(new(-2.05f, -1.35f), "nearest: p");
+        panel.Label(new(2.1f, -1.35f), "nearest: q");
         canvas.Note(
             408, "w is the new vertex. The last step went from pq towards the origin: a boolean may skip the hatched.");
         canvas.Note(430, "A distance query keeps p and q: rounding, or a step from elsewhere, can leave it there.");
