@@ -54,8 +54,8 @@ export function faultsOfLook() {
         if (body.closest('defs, pattern, marker') || !body.checkVisibility({ visibilityProperty: true })) continue;
         const style = getComputedStyle(body);
         const isFilled = /^rgb/.test(style.fill) && rgba(style.fill)[3] * style.fillOpacity * style.opacity > 0.5;
-        // The hairlines of a grid may pass below a label, which has a halo.
-        const isDrawn = style.stroke !== 'none' && parseFloat(style.strokeWidth) >= 1
+        // The hairlines of a grid or of axes may pass below a label, which has a halo.
+        const isDrawn = style.stroke !== 'none' && parseFloat(style.strokeWidth) > 1
           && style.strokeOpacity * style.opacity > 0.2;
         const toBody = body.getScreenCTM()?.inverse();
         if (!toBody || !(isFilled || isDrawn)) continue;
