@@ -63,6 +63,8 @@ export default defineConfig({
   head: [['link', { rel: 'icon', type: 'image/svg+xml', href: `${base}icon.svg` }]],
   lastUpdated: false,
   markdown: {
+    // Every colour of these is legible on the blocks' own background.
+    theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
     config(markdown) {
       sourceLinks(markdown)
       labelledCells(markdown)

@@ -1,4 +1,5 @@
-// Opens every page of the site, wide and narrow: no console error, no missing file, no dead link, nothing cut off.
+// Opens every page of the site, wide and narrow, light and dark: no console error, no missing file, no dead link, nothing
+// cut off, nothing illegible.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { readFileSync, readdirSync, statSync } from 'node:fs';
@@ -7,9 +8,12 @@ import { extname, join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 import { FLAGS } from './browser.mjs';
 import { check, finish } from './check.mjs';
+import { LOOKS, faultsOfLook } from './looks.mjs';
 
 const [site, pictures] = process.argv.slice(2).map((path) => resolve(path));
 const SIZES = { wide: { width: 1280, height: 800 }, narrow: { width: 390, height: 844 } };
+/** How wide a page shows a picture, in both sizes. */
+const PICTURES = [624, 342];
 const TYPES = {
   '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json',
   '.woff2': 'font/woff2', '.png': 'image/png',
@@ -34,6 +38,7 @@ const pages = files(site).filter((file) => file.endsWith('.html') && !/(^|\/)(40
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
 const links = new Map();
 const context = await browser.newContext({ viewport: SIZES.wide });
+await check('every picture is legible', () => lookAtPictures(context));
 // Each core has a page to open.
 const waiting = [...pages];
 await Promise.all(Array.from({ length: availableParallelism() + 1 }, async () => {
@@ -76,6 +81,8 @@ async function look(context, name) {
   page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(origin)) complaints.push(`fetched ${request.url()}`); });
   await page.goto(`${origin}/${name.replace(/\.html$/, '')}`.replace(/index$/, ''), { waitUntil: 'load' });
   await page.locator('.VPDoc, .VPHome').first().waitFor();
+  // What slides or fades away when the size changes is away at once.
+  await page.addStyleTag({ content: '* { transition: none !important }' });
   for (const href of await page.locator('a[href]').evaluateAll((all) => all.map((a) => a.href))) {
     if (href.startsWith(origin)) links.set(href, name);
   }
@@ -83,11 +90,36 @@ async function look(context, name) {
   for (const [size, viewport] of Object.entries(SIZES)) {
     await page.setViewportSize(viewport);
     for (const fault of await page.evaluate(cutOff)) complaints.push(`${size}: ${fault}`);
+    for (const look of LOOKS.filter(({ width }) => width === viewport.width)) {
+      await page.emulateMedia({ colorScheme: look.theme });
+      for (const fault of await page.evaluate(faultsOfLook)) complaints.push(`${size}, ${look.theme}: ${fault}`);
+    }
     if (name.startsWith(WITH_FIGURES)) await waitForFigures(page);
     if (KEPT.includes(plain)) await page.screenshot({ path: join(pictures, `${plain.replaceAll('/', '-')}-${size}.png`) });
   }
   await page.close();
   assert.deepEqual(complaints, []);
+}
+
+/** Looks at the drawings of the book as wide as its pages show them. */
+async function lookAtPictures(context) {
+  const page = await context.newPage(), faults = [];
+  const pictures = ['.', 'figures'].flatMap((folder) => readdirSync(join(site, '..', folder)).map((file) => join(folder, file)))
+    .filter((file) => file.endsWith('.svg'));
+  assert.ok(pictures.length > 10, `${pictures.length} pictures`);
+  for (const width of PICTURES) {
+    await page.setViewportSize({ width, height: 800 });
+    for (const picture of pictures) {
+      const drawing = readFileSync(join(site, '..', picture), 'utf8');
+      await page.setContent(`<style>body { margin: 0 } svg { width: 100%; height: auto }</style>${drawing}`);
+      for (const colorScheme of ['light', 'dark']) {
+        await page.emulateMedia({ colorScheme });
+        for (const fault of await page.evaluate(faultsOfLook)) faults.push(`${picture}, ${width}, ${colorScheme}: ${fault}`);
+      }
+    }
+  }
+  await page.close();
+  assert.deepEqual(faults, []);
 }
 
 function files(folder) {
@@ -111,6 +143,9 @@ function cutOff() {
     if (cell.clientWidth > 0 && cell.clientWidth < 40 && longest > 4)
       wide.push(`a cell of ${cell.clientWidth}: ${cell.textContent.slice(0, 40)}`);
   }
+  // Where there is room, a word in a cell stays in one piece.
+  for (const name of document.querySelectorAll('.vp-doc table:not(:has(th:nth-child(4))) td code'))
+    if (width > 640 && !/[\s{(/_.-]/.test(name.textContent) && name.getClientRects().length > 1) wide.push(`${name.textContent} is broken`);
   // A break before a component at the start of a line is lost, and with it the space.
   for (const part of document.querySelectorAll('.vp-doc .part'))
     if (/\w$/.test(part.previousSibling?.textContent ?? '')) wide.push(`no space before ${part.textContent}`);

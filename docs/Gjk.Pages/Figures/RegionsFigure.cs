@@ -27,7 +27,7 @@ internal static class RegionsFigure
         panel.Polygon([p, q, w], Ink.Difference);
         foreach ((Vector2 corner, Vector2 n) in new[] { (p, pq), (p, wp), (q, pq), (q, qw), (w, qw), (w, wp) })
             panel.Line(corner, Cut(corner, n), Ink.Faint, isDashed: true);
-        foreach ((Vector2 at, string name, float dx) in new[] { (p, "p", -16), (q, "q", 16f) })
+        foreach ((Vector2 at, string name, float dx) in new[] { (p, "p", -18), (q, "q", 18f) })
             Corner(panel, at, name, dx);
         panel.Dot(w, Ink.Difference, 6);
         panel.Label(w, "w", Ink.Difference, dx: 14, dy: 6);
@@ -36,8 +36,8 @@ internal static class RegionsFigure
         panel.Label(new(-1.55f, 0.75f), "nearest: edge wp");
         panel.Label(new(0.1f, -0.1f), "inside");
         panel.Label(new(0.55f, 1.85f), "nearest: w", dx: -20);
-        panel.Label(new(-2.05f, -1.1f), "nearest: p");
-        panel.Label(new(2.1f, -1.1f), "nearest: q");
+        panel.Label(new(-2.05f, -1.35f), "nearest: p");
+        panel.Label(new(2.1f, -1.35f), "nearest: q");
         canvas.Note(
             408, "w is the new vertex. The last step went from pq towards the origin: a boolean may skip the hatched.");
         canvas.Note(430, "A distance query keeps p and q: rounding, or a step from elsewhere, can leave it there.");
@@ -53,7 +53,7 @@ internal static class RegionsFigure
     private static void Corner(Panel panel, Vector2 at, string name, float dx)
     {
         panel.Dot(at, Ink.Difference, 6);
-        panel.Label(at, name, Ink.Difference, dx, dy: -8);
+        panel.Label(at, name, Ink.Difference, dx, dy: 28);
     }
 
     /// <summary>The end of a ray at the picture's edge.</summary>

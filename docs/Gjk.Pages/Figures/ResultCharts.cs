@@ -16,7 +16,7 @@ internal static class ResultCharts
         yield return LogLogChart.Draw(
             "cost", "Distance and closest points: time over the hulls",
             "A distance with closest points, over the corners of a hull. Pairs of equal size, some overlapping.",
-            Line("the report's algorithm", Ink.Faint, table, "vertices", "baseline_ns", 1, Hulls(table, "cold")),
+            Line("the report's algorithm", Ink.Difference, table, "vertices", "baseline_ns", 1, Hulls(table, "cold")),
             Line("Gjk, cold", Ink.A, table, "vertices", "library_ns", 1, Hulls(table, "cold")),
             Line("Gjk, warm, nothing moved", Ink.B, table, "vertices", "library_ns", 1, Hulls(table, "warm")));
         IReadOnlyList<string[]> tree = Moving(scale, "dynamic-tree");

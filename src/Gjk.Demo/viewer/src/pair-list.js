@@ -137,8 +137,10 @@ export class PairList {
         'data-pair': pair,
         onclick: () => this.select(isSelected ? -1 : pair),
       },
-      element('span', { textContent: model.names[model.a[pair]] }),
-      element('span', { textContent: model.names[model.b[pair]] }),
+      ...[model.a, model.b].map((objects) => {
+        const name = model.names[objects[pair]];
+        return element('span', { textContent: name, title: name });
+      }),
       element('span', { className: 'number', textContent: text }),
       ...(model.castData.isMoving
         ? [element('span', { className: 'number', textContent: model.impactText(pair, short) })]

@@ -60,7 +60,7 @@ export class Support extends Lesson {
     const tip = plus(DIAL, times(d, SIZE));
     picture.arrow(DIAL, tip, 'search', 'd');
     picture.handle(tip, 'd');
-    picture.text(plus(tip, times(d, 0.1)), 'd');
+    picture.text(tip, 'd');
     picture.end();
   }
 

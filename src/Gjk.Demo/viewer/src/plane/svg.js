@@ -1,11 +1,15 @@
 // Pictures of the plane: x to the right, y up, in units of the plane. A part of a picture can have a name, by which the
 // words beside it find it.
 import { boxOf, spread } from '../labels.js';
+import { minus, plus, times } from './geometry.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** The size of labels and the height of their lines, in pixels. */
 const LETTERS = 13, LINE = 17;
+
+/** The radius of a handle, in pixels. */
+const HANDLE = 8;
 
 /** In pixels: how near a finger or the mouse must come to a handle. */
 export const REACH = 24;
@@ -35,6 +39,7 @@ export class Picture {
     this.parts = [];
     this.labels = [];
     this.bodies = [];
+    this.lines = [];
   }
 
   /** Shows what was drawn, with each label at a free place beside its point. */
@@ -43,7 +48,8 @@ export class Picture {
     const seen = ([x, y]) => ({ x: (x + wide) / unit, y: (tall - y) / unit });
     const items = this.labels.map(({ at, width, isName }) => ({ ...seen(at), width, height: LINE, isName }));
     const bodies = this.bodies.map((corners) => boxOf(corners.map(seen)));
-    spread(items, { width: (2 * wide) / unit, height: (2 * tall) / unit }, false, bodies).forEach((box, i) => {
+    const lines = this.lines.map((ends) => ends.map(seen));
+    spread(items, { width: (2 * wide) / unit, height: (2 * tall) / unit }, false, bodies, lines).forEach((box, i) => {
       const { part, content } = this.labels[i];
       part.setAttribute('x', box.left * unit - wide);
       part.setAttribute('y', (box.top + 0.77 * LINE) * unit - tall);
@@ -78,10 +84,12 @@ export class Picture {
 
   polygon(points, className, name) {
     if (className.startsWith('body')) this.bodies.push(points);
+    this.lines.push(...points.map((p, i) => [p, points[(i + 1) % points.length]]));
     return this.add('polygon', { points: points.map(([x, y]) => `${x},${-y}`).join(' ') }, className, name);
   }
 
   line([x, y], [z, w], className, name) {
+    if (className !== 'axis') this.lines.push([[x, y], [z, w]]);
     return this.add('line', { x1: x, y1: -y, x2: z, y2: -w }, className, name);
   }
 
@@ -92,7 +100,9 @@ export class Picture {
   /** A handle, with room for a finger around it. */
   handle(at, name) {
     this.dot(at, 'reach', name, REACH);
-    this.dot(at, 'handle', name, 8);
+    this.dot(at, 'handle', name, HANDLE);
+    for (const arm of [[HANDLE, 0], [0, HANDLE]].map((d) => times(d, this.unit)))
+      this.lines.push([minus(at, arm), plus(at, arm)]);
   }
 
   square([x, y], className, name, pixels = 5) {

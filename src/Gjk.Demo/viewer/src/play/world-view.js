@@ -19,7 +19,8 @@ export class WorldView {
     this.model = model;
     this.active = 0;
     this.stage = new Stage();
-    this.labels = new Labels(this.stage, false, () => this.bodies.map(cornersOf));
+    this.labels = new Labels(this.stage, false, () => this.bodies.map(cornersOf), () => this.lines);
+    this.lines = [];
     this.bodies = ['a', 'b'].map((name) => ({ name, group: new Group() }));
     this.ghosts = [new Group(), new Group()];
     this.marks = new Group();
@@ -93,6 +94,7 @@ export class WorldView {
     const { model, marks } = this, { answer } = model;
     const names = [['A', model.position(0)], ['B', model.position(1)]];
     const parts = [];
+    this.lines = [];
     if (Number.isFinite(answer.distance)) {
       const [a, b] = [answer.pointA, answer.pointB].map((p) => model.drawn(p));
       const isApart = answer.distance > 0 && a.distanceTo(b) > 0;
@@ -100,6 +102,7 @@ export class WorldView {
       if (answer.distance < 0 && a.distanceTo(b) > 0)
         parts.push(...arrow(b, a, LINE, 0.35).map((geometry) => through(geometry, colorOf('out'))));
       parts.push(dot(a, colorOf('a')), dot(b, colorOf('b')));
+      this.lines.push([a, b]);
       const middle = a.clone().lerp(b, 0.5);
       if (isApart && !model.impact) names.push([model.answerText, middle]);
       if (answer.distance < 0 && !model.impact) names.push(['way out', middle]);
@@ -114,6 +117,7 @@ export class WorldView {
     const { model } = this, { impact } = model, parts = [];
     for (const index of [0, 1]) {
       const from = model.position(index), to = this.tip(index);
+      this.lines.push([from, to]);
       if (from.distanceTo(to) > 0)
         parts.push(...arrow(from, to, LINE, 0.35).map((geometry) => through(geometry, colorOf('motion'))));
       if (index === this.active) parts.push(dot(to, colorOf('accent'), 1.6));
