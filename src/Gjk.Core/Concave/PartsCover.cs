@@ -29,10 +29,12 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PartCon
         RotationD turn = new(_side.Pose.Rotation);
         Double3 local = turn.InverseRotate(point - _side.Pose.Position), along = turn.InverseRotate(direction);
         ConvexShape room = default;
-        foreach (PartDistance near in scratch.Pairs)
+        List<PartDistance> pairs = scratch.Pairs;
+        for (int i = 0; i < pairs.Count; i++)
         {
-            int part = isA ? near.PartA : near.PartB;
-            if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
+            int part = isA ? pairs[i].PartA : pairs[i].PartB;
+            if (part == _own || (isA ? pairs[i].PartB : pairs[i].PartA) != _other) continue;
+            if (_side.Mesh is { } mesh && CoveredSides.IsClear(mesh, part, local)) continue;
             if (CoveredSides.GoesOn(_side.Part(part, ref room), local, along)) return true;
         }
 
