@@ -200,6 +200,22 @@ internal static class CoveredSides
         return IsWithin(shape, point, Room * (length + point.Length));
     }
 
+    /// <summary>Whether a triangle is certainly too far from a point to hold it.</summary>
+    public static bool IsClear(TriangleMesh mesh, int triangle, in Double3 point)
+    {
+        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        var reach = new TriangleReach(a, b, c, point);
+        return reach.IsBeyond(2 * Room * (reach.Size + point.SumOfMagnitudes));
+    }
+
+    /// <summary>Whether a plane is across the direction of a contact: no other one buries it.</summary>
+    public static bool IsAnyAcross(List<OpenPlane> planes, in Double3 outward)
+    {
+        foreach (OpenPlane plane in planes)
+            if (IsAcross(plane, outward)) return true;
+        return false;
+    }
+
     private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
         Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
@@ -238,8 +254,19 @@ internal static class CoveredSides
         return IsWithin(own, local + beyond * (Beyond * Room * length), Room * length);
     }
 
-    /// <summary>Whether a shape is no further than so much from a point of its frame. What is twice as far is not
-    /// measured, as most parts that are asked are far from the point.</summary>
-    private static bool IsWithin(in ConvexShape shape, in Double3 point, double room) =>
-        ConvexQuery.Distance(shape, RigidPose.Identity, (Vector3)point, (float)(2 * room)).Distance <= room;
+    /// <summary>Whether a shape is no further than so much from a point of its frame, which is rounded to float. What
+    /// is twice as far is not measured, as most parts that are asked are far from the point.</summary>
+    public static bool IsWithin(in ConvexShape shape, in Double3 point, double room)
+    {
+        var at = (Vector3)point;
+        if (shape.Kind == ShapeKind.Triangle && shape.Margin == 0 && shape.TryGetVertex(0, out Double3 a)
+            && shape.TryGetVertex(1, out Double3 b) && shape.TryGetVertex(2, out Double3 c))
+        {
+            var reach = new TriangleReach(a, b, c, at - shape.Center);
+            if (reach.IsWithin(room / 2)) return true;
+            if (reach.IsBeyond(2 * room)) return false;
+        }
+
+        return ConvexQuery.Distance(shape, RigidPose.Identity, at, (float)(2 * room)).Distance <= room;
+    }
 }

@@ -115,9 +115,10 @@ internal static class SeamContacts
     private static bool IsCovered(
         ConcaveScratch scratch, PartSide side, bool isA, in PairContacts one, bool isAtJoint)
     {
+        var cover = new PartsCover(scratch, isA, one);
+        if (!CoveredSides.IsAnyAcross(scratch.Planes, cover.Outward(one))) return isAtJoint;
         ConvexShape room = default;
         ref readonly ConvexShape part = ref side.Part(isA ? one.PartA : one.PartB, ref room);
-        var cover = new PartsCover(scratch, isA, one);
         return isAtJoint
             ? !CoveredSides.StandsOn(cover.Witness(one), cover.Outward(one), part, side.Pose, scratch.Planes)
             : CoveredSides.IsBuried(one.Manifold, isA, part, side.Pose, scratch.Planes, cover);

@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 110,
         ["Batch"] = 166,
         ["BroadPhase"] = 861,
-        ["Concave"] = 2508,
+        ["Concave"] = 2535,
         ["Concave/Trees"] = 632,
         ["Contacts"] = 972,
         ["Cores"] = 542,
