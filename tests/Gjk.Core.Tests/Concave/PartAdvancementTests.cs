@@ -19,8 +19,8 @@ public sealed class PartAdvancementTests
     public void ItIsTheFirstOfAllPairs(ulong seed, float far, float tolerance)
     {
         var random = new FuzzRandom(seed);
-        TriangleMesh ring = Surfaces.Torus(Budget.Whole(18), 5).Build();
-        TriangleMesh ball = Surfaces.Ball(6, 4, (_, _) => 0.4).Build();
+        TriangleMesh ring = Surfaces.Torus(Budget.Whole(18), 4).Build();
+        TriangleMesh ball = Surfaces.Ball(Budget.Whole(12), 3, (_, _) => 0.4).Build();
         var offset = new Vector3(far, -far, far / 2);
         int hits = 0;
         for (int i = 0; i < 6; i++)

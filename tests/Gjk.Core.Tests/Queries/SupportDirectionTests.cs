@@ -35,7 +35,7 @@ public class SupportDirectionTests
     public void Points(int exponent)
     {
         float scale = MathF.Pow(10, exponent);
-        for (int seed = 0; seed < Budget.Few(50 * Rounds); seed++)
+        for (int seed = 0; seed < Budget.Few(20 * Rounds); seed++)
         {
             var rng = new Rng((ulong)seed);
             foreach (PlainKind kind in Kinds)

@@ -43,7 +43,7 @@ public sealed class FuzzConcaveTests
     public void ALostTriangleIsNoticed()
     {
         int lost = 0, seen = 0;
-        for (long i = 0; lost < 30; i++)
+        for (long i = 0; lost < 10; i++)
         {
             ConcavePair pair = ConcaveFamilies.Draw(5, i, out _);
             bool isClear = pair.RawA is { Triangles.Count: > 1, IsSolid: false } && pair.Answer.PartA >= 0
