@@ -124,7 +124,7 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         Uncleared.Begin(out PairFrame frame);
         Uncleared.Begin(out SolverState state);
 #else
-        // Mono clears locals, a kilobyte of them, but not what is allocated.
+        // Mono clears locals, a kilobyte of them, far more slowly than what is allocated.
         byte* memory = stackalloc byte[sizeof(PairFrame) + sizeof(SolverState)];
         ref PairFrame frame = ref *(PairFrame*)memory;
         ref SolverState state = ref *(SolverState*)(memory + sizeof(PairFrame));
