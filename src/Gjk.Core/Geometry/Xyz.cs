@@ -73,31 +73,40 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Subtract(
         this in RotationD matrix, in Xyz from, in Xyz v, in Double3 translation, out Double3 difference) =>
-        difference = (from - (matrix.Rotate(v) + translation.ToXyz())).ToDouble3();
+        difference = Vector256.IsHardwareAccelerated
+            ? (from - (matrix.Rotate(v) + translation.ToXyz())).ToDouble3()
+            : from.ToDouble3() - (matrix.Rotate(v.ToDouble3()) + translation);
 
     /// <summary>A vector turned.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Rotate(this in RotationD matrix, in Double3 v, out Xyz turned) =>
-        turned = matrix.Column0 * v.X + matrix.Column1 * v.Y + matrix.Column2 * v.Z;
+        turned = Vector256.IsHardwareAccelerated
+            ? matrix.Column0 * v.X + matrix.Column1 * v.Y + matrix.Column2 * v.Z : matrix.Rotate(v).ToXyz();
 
     /// <summary><see cref="RotationD.Rotate(in Double3)"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Xyz Rotate(this in RotationD matrix, Xyz v) =>
-        matrix.Column0 * Vector256.Shuffle(v, Vector256.Create(0L))
-            + matrix.Column1 * Vector256.Shuffle(v, Vector256.Create(1L))
-            + matrix.Column2 * Vector256.Shuffle(v, Vector256.Create(2L));
+        !Vector256.IsHardwareAccelerated ? matrix.Rotate(v.ToDouble3()).ToXyz()
+            : matrix.Column0 * Spread(v, 0) + matrix.Column1 * Spread(v, 1) + matrix.Column2 * Spread(v, 2);
 
     /// <summary><see cref="QuaternionD.Rotate"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Xyz Rotate(this in QuaternionD q, Xyz v)
     {
         Xyz u = Vector256.LoadUnsafe(in q.X);
-        return v + Cross(u, Cross(u, v) + v * Vector256.Shuffle(u, Vector256.Create(3L))) * 2;
+        return v + Cross(u, Cross(u, v) + v * Spread(u, 3)) * 2;
     }
+
+    /// <summary>One lane in all. Where there are no such registers, a shuffle is a loop.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Xyz Spread(Xyz v, int lane) =>
+        Vector256.IsHardwareAccelerated
+            ? Vector256.Shuffle(v, Vector256.Create((long)lane)) : Vector256.Create(v.GetElement(lane));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Xyz Cross(Xyz a, Xyz b)
     {
+        if (!Vector256.IsHardwareAccelerated) return Double3.Cross(a.ToDouble3(), b.ToDouble3()).ToXyz();
         Vector256<long> yzx = Vector256.Create(1L, 2, 0, 3), zxy = Vector256.Create(2L, 0, 1, 3);
         return Vector256.Shuffle(a, yzx) * Vector256.Shuffle(b, zxy)
             - Vector256.Shuffle(a, zxy) * Vector256.Shuffle(b, yzx);

@@ -36,7 +36,7 @@ internal static class XyzSupport
             id = Unsafe.As<T, TriangleCore>(ref shape).SupportId(direction.ToDouble3());
             point = Unsafe.As<T, TriangleCore>(ref shape).Lanes(id);
         }
-        else if (typeof(T) == typeof(BoxCore))
+        else if (typeof(T) == typeof(BoxCore) && Vector256.IsHardwareAccelerated)
         {
             // A zero of either sign counts as positive.
             ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
@@ -68,7 +68,7 @@ internal static class XyzSupport
             return Unsafe.As<T, HullCore>(ref shape).Has(id);
         }
 
-        if (typeof(T) == typeof(BoxCore))
+        if (typeof(T) == typeof(BoxCore) && Vector256.IsHardwareAccelerated)
         {
             ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
             vertex = box.Half.Lanes ^ SignsOf(box.Corners.Signs(id & XyzBits));
