@@ -1,6 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>Values whose bytes are whatever lay there: they are written before they are read.</summary>
+/// <summary>References that the compiler does not vouch for: to values that are written before they are read, and to
+/// readonly ones.</summary>
 internal static class Uncleared
 {
     /// <summary>As <c>Unsafe.SkipInit</c>, which only the newer runtimes have.</summary>
@@ -14,6 +15,20 @@ internal static class Uncleared
         fixed (T* same = &value)
         {
         }
+#endif
+    }
+
+    /// <summary>One of some values that follow each other, by a reference that can be written through.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe ref T At<T>(scoped in T first, int index)
+        where T : struct
+    {
+#if NET
+        return ref Unsafe.Add(ref Unsafe.AsRef(in first), index);
+#else
+#pragma warning disable CS8500 // The pointer is a reference again before the garbage collector may move anything.
+        fixed (T* same = &first) return ref same[index];
+#pragma warning restore CS8500
 #endif
     }
 }

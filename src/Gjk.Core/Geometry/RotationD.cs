@@ -71,17 +71,7 @@ internal struct RotationD
     public readonly Double3 Column2 => new(M02, M12, M22);
 #endif
 
-    public readonly RotationD Transposed
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get
-        {
-            Transpose(out RotationD transposed);
-            return transposed;
-        }
-    }
-
-    /// <summary>Written where it is to be, without a copy.</summary>
+    /// <summary>The inverse.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Transpose(out RotationD t)
     {
@@ -118,12 +108,4 @@ internal struct RotationD
         M00 * v.X + M10 * v.Y + M20 * v.Z,
         M01 * v.X + M11 * v.Y + M21 * v.Z,
         M02 * v.X + M12 * v.Y + M22 * v.Z);
-
-    /// <summary>The same, written where it is to be.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void InverseRotate(in Double3 v, out Double3 rotated) => Double3.Write(
-        M00 * v.X + M10 * v.Y + M20 * v.Z,
-        M01 * v.X + M11 * v.Y + M21 * v.Z,
-        M02 * v.X + M12 * v.Y + M22 * v.Z,
-        out rotated);
 }

@@ -27,17 +27,27 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Xyz ToXyz(this in Double3 v) => Vector256.Create(v.X, v.Y, v.Z, 0);
 
-    /// <summary>The magnitudes of the components.</summary>
+    /// <summary>The first three of four doubles in memory. A last one that no writer has cleared may be a denormal
+    /// number, whose products are slow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Xyz Abs(this Xyz v) => Vector256.Abs(v);
+    public static Xyz Load(this in Double3 v) =>
+        Vector256.LoadUnsafe(in v.X) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
 
-    /// <summary>The products of the components.</summary>
+    /// <summary>Writes the components where they are to be, and a double more.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Xyz Times(this Xyz v, Xyz w) => v * w;
+    public static void Store(this in Xyz v, out Double3 to)
+    {
+        Unsafe.SkipInit(out to);
+        v.StoreUnsafe(ref Unsafe.AsRef(in to.X));
+    }
 
-    /// <summary>Writes the components, and one double more.</summary>
+    /// <summary>v s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static unsafe void StoreAt(this Xyz v, double* to) => Vector256.Store(v, to);
+    public static void Times(this in Xyz v, double s, out Xyz product) => product = v * s;
+
+    /// <summary>-v.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Opposite(this in Double3 v, out Xyz opposite) => opposite = (-v).ToXyz();
 
     /// <summary>v + w s, in one step: Mono clears and copies what a step makes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -59,24 +69,44 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Opposite(this in RotationD matrix, Xyz v, out Xyz opposite) => opposite = -matrix.Rotate(v);
 
+    /// <summary>What is left of a vector without one that is turned and moved.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Subtract(
+        this in RotationD matrix, in Xyz from, in Xyz v, in Double3 translation, out Double3 difference) =>
+        difference = Vector256.IsHardwareAccelerated
+            ? (from - (matrix.Rotate(v) + translation.ToXyz())).ToDouble3()
+            : from.ToDouble3() - (matrix.Rotate(v.ToDouble3()) + translation);
+
+    /// <summary>A vector turned.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Rotate(this in RotationD matrix, in Double3 v, out Xyz turned) =>
+        turned = Vector256.IsHardwareAccelerated
+            ? matrix.Column0 * v.X + matrix.Column1 * v.Y + matrix.Column2 * v.Z : matrix.Rotate(v).ToXyz();
+
     /// <summary><see cref="RotationD.Rotate(in Double3)"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Xyz Rotate(this in RotationD matrix, Xyz v) =>
-        matrix.Column0 * Vector256.Shuffle(v, Vector256.Create(0L))
-            + matrix.Column1 * Vector256.Shuffle(v, Vector256.Create(1L))
-            + matrix.Column2 * Vector256.Shuffle(v, Vector256.Create(2L));
+        !Vector256.IsHardwareAccelerated ? matrix.Rotate(v.ToDouble3()).ToXyz()
+            : matrix.Column0 * Spread(v, 0) + matrix.Column1 * Spread(v, 1) + matrix.Column2 * Spread(v, 2);
 
     /// <summary><see cref="QuaternionD.Rotate"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Xyz Rotate(this in QuaternionD q, Xyz v)
     {
         Xyz u = Vector256.LoadUnsafe(in q.X);
-        return v + Cross(u, Cross(u, v) + v * Vector256.Shuffle(u, Vector256.Create(3L))) * 2;
+        return v + Cross(u, Cross(u, v) + v * Spread(u, 3)) * 2;
     }
+
+    /// <summary>One lane in all. Where there are no such registers, a shuffle is a loop.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Xyz Spread(Xyz v, int lane) =>
+        Vector256.IsHardwareAccelerated
+            ? Vector256.Shuffle(v, Vector256.Create((long)lane)) : Vector256.Create(v.GetElement(lane));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Xyz Cross(Xyz a, Xyz b)
     {
+        if (!Vector256.IsHardwareAccelerated) return Double3.Cross(a.ToDouble3(), b.ToDouble3()).ToXyz();
         Vector256<long> yzx = Vector256.Create(1L, 2, 0, 3), zxy = Vector256.Create(2L, 0, 1, 3);
         return Vector256.Shuffle(a, yzx) * Vector256.Shuffle(b, zxy)
             - Vector256.Shuffle(a, zxy) * Vector256.Shuffle(b, yzx);
@@ -93,7 +123,36 @@ internal static class XyzExtensions
         rounded.Z = (float)v.Z;
     }
 
-    public static Double3 ToXyz(this in Double3 v) => v;
+    public static ref readonly Double3 ToXyz(this in Double3 v) => ref v;
+
+    public static ref readonly Double3 Load(this in Double3 v) => ref v;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Store(this in Double3 v, out Double3 to) => Double3.Write(v.X, v.Y, v.Z, out to);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Times(this in Double3 v, double s, out Double3 product) =>
+        Double3.Write(v.X * s, v.Y * s, v.Z * s, out product);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Opposite(this in Double3 v, out Double3 opposite) =>
+        Double3.Write(-v.X, -v.Y, -v.Z, out opposite);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Rotate(this in RotationD matrix, in Double3 v, out Double3 turned)
+    {
+        matrix.Rotate(v, out double x, out double y, out double z);
+        Double3.Write(x, y, z, out turned);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Subtract(
+        this in RotationD matrix, in Double3 from, in Double3 v, in Double3 translation, out Double3 difference)
+    {
+        matrix.Rotate(v, out double x, out double y, out double z);
+        Double3.Write(
+            from.X - (x + translation.X), from.Y - (y + translation.Y), from.Z - (z + translation.Z), out difference);
+    }
 
     public static void Plus(this in Double3 v, in Double3 w, double s, out Double3 sum) =>
         Double3.Write(v.X + w.X * s, v.Y + w.Y * s, v.Z + w.Z * s, out sum);
@@ -115,12 +174,5 @@ internal static class XyzExtensions
         matrix.Rotate(v, out double x, out double y, out double z);
         Double3.Write(-x, -y, -z, out opposite);
     }
-
-    public static Double3 Abs(this in Double3 v) =>
-        new(System.Math.Abs(v.X), System.Math.Abs(v.Y), System.Math.Abs(v.Z));
-
-    public static Double3 Times(this in Double3 v, in Double3 w) => new(v.X * w.X, v.Y * w.Y, v.Z * w.Z);
-
-    public static unsafe void StoreAt(this in Double3 v, double* to) => (to[0], to[1], to[2]) = (v.X, v.Y, v.Z);
 #endif
 }

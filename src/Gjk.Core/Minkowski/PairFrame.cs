@@ -41,17 +41,10 @@ internal struct PairFrame
     /// <summary>From A's centre to B's, in A's frame.</summary>
     public Double3 Translation;
 
-    /// <summary>0, so that the translation can be read as a register of four doubles.</summary>
-    public double End;
-
-#if NET
-    /// <summary><see cref="Translation"/> and a 0.</summary>
-    public readonly Vector256<double> TranslationLanes
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Vector256.LoadUnsafe(in Translation.X);
-    }
-#endif
+    /// <summary>The vertex of A - B that a point of each makes, measured from its centre in its own axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void Between(in Xyz onA, in Xyz onB, out Double3 w) =>
+        Rotation.Subtract(onA, onB, Translation, out w);
 
     /// <summary>The shapes' centres in their own frames.</summary>
     public Double3 CenterA, CenterB;
@@ -135,7 +128,6 @@ internal struct PairFrame
         frame.MarginA = a.Margin;
         frame.MarginB = b.Margin;
         frame.Unit = 1;
-        frame.End = 0;
         frame.IsPlaced = false;
         Uncleared.Begin(out frame._turnA);
         Uncleared.Begin(out frame._turnB);
@@ -143,7 +135,7 @@ internal struct PairFrame
         if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
             Double3 between = Double3.Between(poseA.Position, poseB.Position);
-            frame.RotationA.InverseRotate(between, out frame.Translation);
+            frame.Translation = frame.RotationA.InverseRotate(between);
             if (offset != 0) frame.Translation += frame.Rotation.Rotate(centerB) - centerA;
         }
         else
@@ -243,7 +235,6 @@ internal struct PairFrame
         frame.MarginA = coreA.Margin;
         frame.MarginB = coreB.Margin;
         frame.Unit = 1;
-        frame.End = 0;
         double offset = frame.CenterA.SumOfMagnitudes + frame.CenterB.SumOfMagnitudes;
         if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {

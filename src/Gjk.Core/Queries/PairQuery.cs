@@ -50,19 +50,8 @@ internal static class PairQuery
     /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a
     /// shape's own mistakes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-#if NET
     public static ref T Inward<T>(in T shape)
-        where T : struct =>
-        ref Unsafe.AsRef(in shape);
-#else
-    public static unsafe ref T Inward<T>(in T shape)
-        where T : struct
-    {
-#pragma warning disable CS8500 // The pointer is a reference again before the garbage collector may move the shape.
-        fixed (T* same = &shape) return ref *same;
-#pragma warning restore CS8500
-    }
-#endif
+        where T : struct => ref Uncleared.At(shape, 0);
 }
 
 /// <summary>The road of one kind of pair, after the formulas.</summary>
@@ -135,7 +124,7 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         Uncleared.Begin(out PairFrame frame);
         Uncleared.Begin(out SolverState state);
 #else
-        // Mono clears locals, a kilobyte of them, but not what is allocated.
+        // Mono clears locals, a kilobyte of them, far more slowly than what is allocated.
         byte* memory = stackalloc byte[sizeof(PairFrame) + sizeof(SolverState)];
         ref PairFrame frame = ref *(PairFrame*)memory;
         ref SolverState state = ref *(SolverState*)(memory + sizeof(PairFrame));

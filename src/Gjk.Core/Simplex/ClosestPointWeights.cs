@@ -70,8 +70,7 @@ internal static class ClosestPointWeights
     public static Weights OfFeature(in Simplex s, in ClosestFeature feature)
     {
         if (s.Count == 1) return new Weights(1, 0, 0, 0);
-        s.Get(s.A, out Double3 a);
-        s.Get(s.B, out Double3 b);
+        ref readonly Double3 a = ref s.WA, b = ref s.WB;
         Double3.Write(b.X - a.X, b.Y - a.Y, b.Z - a.Z, out Double3 ab);
         if (s.Count == 2)
         {
@@ -80,7 +79,7 @@ internal static class ClosestPointWeights
             return t > 1 ? new Weights(0, 1, 0, 0) : new Weights(1, 0, 0, 0);
         }
 
-        s.Get(s.C, out Double3 c);
+        ref readonly Double3 c = ref s.WC;
         Double3.Write(c.X - a.X, c.Y - a.Y, c.Z - a.Z, out Double3 ac);
         if (!(feature.NormalSquared > Needle * (ab.LengthSquared * ac.LengthSquared)))
             return Triangle(a, b, c);

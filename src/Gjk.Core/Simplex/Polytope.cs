@@ -40,7 +40,7 @@ internal unsafe partial struct Polytope
         FirstDoubles = Doubles - ((MostFaces - FirstFaces) * (BytesPerFace + sizeof(double))
         + (Room - FirstRoom) * BytesPerVertex) / sizeof(double);
 
-    private readonly PolytopeVertex* _vertices;
+    private readonly DifferenceVertex* _vertices;
     private readonly PolytopeFace* _faces;
 
     /// <summary>What orders the faces by height; see <see cref="KeyOf"/>.</summary>
@@ -65,7 +65,7 @@ internal unsafe partial struct Polytope
         _room = isFirst ? FirstRoom : Room;
         _lastFace = CanGrow ? FirstFaces - 2 * FirstRoom : MostFaces;
         _faces = (PolytopeFace*)(((ulong)memory + Alignment - 1) / Alignment * Alignment);
-        _vertices = (PolytopeVertex*)(_faces + faces);
+        _vertices = (DifferenceVertex*)(_faces + faces);
         _keys = (double*)(_vertices + _room);
         _cuts = (Double3*)(_keys + faces);
         _stack = (ushort*)(_cuts + MostCuts);
@@ -96,7 +96,7 @@ internal unsafe partial struct Polytope
     /// <summary>Whether there is room for another vertex; in the first room, for a face at each edge, too.</summary>
     public readonly bool HasRoom => _vertexCount + _cutCount < _room && _faceCount <= _lastFace;
 
-    public readonly ref PolytopeVertex Vertex(int index) => ref _vertices[index];
+    public readonly ref DifferenceVertex Vertex(int index) => ref _vertices[index];
 
     public readonly ref PolytopeFace Face(int index) => ref _faces[index];
 
@@ -105,7 +105,7 @@ internal unsafe partial struct Polytope
 
     /// <summary>A place for a vertex, and its index.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public PolytopeVertex* Add(out int index)
+    public DifferenceVertex* Add(out int index)
     {
         index = _vertexCount++;
         return _vertices + index;
@@ -115,12 +115,7 @@ internal unsafe partial struct Polytope
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Add(in Simplex simplex, int slot)
     {
-        ref PolytopeVertex vertex = ref _vertices[_vertexCount];
-        vertex.W = simplex.W(slot);
-        vertex.OnA = simplex.OnA(slot);
-        vertex.OnB = simplex.OnB(slot);
-        vertex.IdA = simplex.IdA(slot);
-        vertex.IdB = simplex.IdB(slot);
+        _vertices[_vertexCount] = simplex.At(slot);
         return _vertexCount++;
     }
 

@@ -1,21 +1,5 @@
 namespace Gjk.Core;
 
-/// <summary>A vertex of A - B, with the support points that it is made from; each can be read as four lanes.</summary>
-internal struct PolytopeVertex
-{
-    public Double3 W;
-
-    public int IdA, IdB;
-
-    public Double3 OnA;
-
-    private readonly double _endA;
-
-    public Double3 OnB;
-
-    private readonly double _endB;
-}
-
 /// <summary>A triangle of a polytope, wound so that its normal points outward: a line of the cache.</summary>
 internal unsafe struct PolytopeFace
 {

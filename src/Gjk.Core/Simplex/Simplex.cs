@@ -13,67 +13,52 @@ internal unsafe struct Simplex
     /// <summary>How many of A, B, C, D are vertices.</summary>
     public int Count;
 
-    private fixed int _ids[8];
-    private fixed double _w[16];
-    private fixed double _onA[16];
-    private fixed double _onB[16];
+    // The slots; reached by number.
+    private DifferenceVertex _first, _second, _third, _fourth;
 
-    public readonly Double3 WA => W(A);
+    public readonly ref readonly Double3 WA => ref W(A);
 
-    public readonly Double3 WB => W(B);
+    public readonly ref readonly Double3 WB => ref W(B);
 
-    public readonly Double3 WC => W(C);
+    public readonly ref readonly Double3 WC => ref W(C);
 
-    public readonly Double3 WD => W(D);
+    public readonly ref readonly Double3 WD => ref W(D);
 
     /// <summary>The slot by position: 0 is A, 3 is D.</summary>
     public readonly int this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
 
+    /// <summary>The vertex in a slot, with its support points.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly ref DifferenceVertex At(int slot)
+    {
+        Debug.Assert((uint)slot < 4);
+        return ref Uncleared.At(_first, slot);
+    }
+
     /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 W(int slot)
-    {
-        fixed (double* at = &_w[4 * slot]) return new Double3(at[0], at[1], at[2]);
-    }
+    public readonly ref readonly Double3 W(int slot) => ref At(slot).W;
 
-    /// <summary>The same, written where it is to be.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Get(int slot, out Double3 w)
-    {
-        fixed (double* at = &_w[4 * slot]) Double3.Write(at[0], at[1], at[2], out w);
-    }
-
-    /// <summary>The same with its slot.</summary>
+    /// <summary>The same with its slot, number by number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Get(int slot, out MinkowskiVertex vertex)
     {
-        fixed (double* at = &_w[4 * slot])
-        {
-            vertex.X = at[0];
-            vertex.Y = at[1];
-            vertex.Z = at[2];
-        }
-
+        ref readonly Double3 w = ref W(slot);
+        vertex.X = w.X;
+        vertex.Y = w.Y;
+        vertex.Z = w.Z;
         vertex.Slot = slot;
     }
 
     /// <summary>The support point of A that it was made from.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 OnA(int slot)
-    {
-        fixed (double* at = &_onA[4 * slot]) return new Double3(at[0], at[1], at[2]);
-    }
+    public readonly ref readonly Double3 OnA(int slot) => ref At(slot).OnA;
 
     /// <summary>The support point of B that it was made from, from B's centre in B's own axes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 OnB(int slot)
-    {
-        fixed (double* at = &_onB[4 * slot]) return new Double3(at[0], at[1], at[2]);
-    }
+    public readonly ref readonly Double3 OnB(int slot) => ref At(slot).OnB;
 
-    public readonly int IdA(int slot) => _ids[2 * slot];
+    public readonly int IdA(int slot) => At(slot).IdA;
 
-    public readonly int IdB(int slot) => _ids[2 * slot + 1];
+    public readonly int IdB(int slot) => At(slot).IdB;
 
     /// <summary>An empty simplex; the contents of the slots are not cleared where the runtime lets them be.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -109,36 +94,14 @@ internal unsafe struct Simplex
     }
 
     /// <summary>Writes a vertex of A - B, and the support points that it is made from, into a slot.</summary>
-    [MethodImpl(Jit.Step)]
     public void Fill(int slot, in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {
-        fixed (double* at = &_w[4 * slot]) Write(at, w);
-        fixed (double* at = &_onA[4 * slot]) Write(at, onA);
-        fixed (double* at = &_onB[4 * slot]) Write(at, onB);
-        _ids[2 * slot] = idA;
-        _ids[2 * slot + 1] = idB;
-    }
-
-#if NET
-    /// <inheritdoc cref="Fill(int, in Double3, in Double3, in Double3, int, int)"/>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Fill(int slot, Vector256<double> w, Vector256<double> onA, Vector256<double> onB, int idA, int idB)
-    {
-        Debug.Assert((uint)slot < 4);
-        w.StoreUnsafe(ref _w[0], (nuint)(4 * slot));
-        onA.StoreUnsafe(ref _onA[0], (nuint)(4 * slot));
-        onB.StoreUnsafe(ref _onB[0], (nuint)(4 * slot));
-        _ids[2 * slot] = idA;
-        _ids[2 * slot + 1] = idB;
-    }
-#endif
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Write(double* at, in Double3 v)
-    {
-        at[0] = v.X;
-        at[1] = v.Y;
-        at[2] = v.Z;
+        ref DifferenceVertex vertex = ref At(slot);
+        vertex.W = w;
+        vertex.OnA = onA;
+        vertex.OnB = onB;
+        vertex.IdA = idA;
+        vertex.IdB = idB;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -181,60 +144,53 @@ internal unsafe struct Simplex
         return point;
     }
 
-#if NET
     /// <summary>The weighted sum of A's support points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnA(in Weights w, out Xyz point) => Sum(_onA[0], w, out point);
-
-    /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnB(in Weights w, out Xyz point) => Sum(_onB[0], w, out point);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly void Sum(in double points, in Weights w, out Xyz point)
-    {
-        point = Load(points, A) * w.A;
-        if (Count > 1) point += Load(points, B) * w.B;
-        if (Count > 2) point += Load(points, C) * w.C;
-        if (Count > 3) point += Load(points, D) * w.D;
-    }
-
-    /// <summary>A last lane that no writer has cleared may hold a denormal number, whose products are slow.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Xyz Load(in double points, int slot)
-    {
-        Debug.Assert((uint)slot < 4);
-        return Vector256.LoadUnsafe(in points, (nuint)(4 * slot)) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
-    }
-#else
-    /// <summary>The weighted sum of A's support points.</summary>
     public readonly void PointOnA(in Weights w, out Xyz point)
     {
-        fixed (double* points = _onA) Sum(points, w, out point);
+        At(A).OnA.Load().Times(w.A, out point);
+        if (Count > 1) point.Plus(At(B).OnA.Load(), w.B, out point);
+        if (Count > 2) point.Plus(At(C).OnA.Load(), w.C, out point);
+        if (Count > 3) point.Plus(At(D).OnA.Load(), w.D, out point);
     }
 
     /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void PointOnB(in Weights w, out Xyz point)
     {
-        fixed (double* points = _onB) Sum(points, w, out point);
+        At(A).OnB.Load().Times(w.A, out point);
+        if (Count > 1) point.Plus(At(B).OnB.Load(), w.B, out point);
+        if (Count > 2) point.Plus(At(C).OnB.Load(), w.C, out point);
+        if (Count > 3) point.Plus(At(D).OnB.Load(), w.D, out point);
     }
+}
 
-    private readonly void Sum(double* points, in Weights w, out Xyz point)
-    {
-        double* p = points + 4 * A;
-        double x = p[0] * w.A, y = p[1] * w.A, z = p[2] * w.A;
-        if (Count > 1) Add(points + 4 * B, w.B, ref x, ref y, ref z);
-        if (Count > 2) Add(points + 4 * C, w.C, ref x, ref y, ref z);
-        if (Count > 3) Add(points + 4 * D, w.D, ref x, ref y, ref z);
-        Double3.Write(x, y, z, out point);
-    }
+/// <summary>A vertex of A - B, with the support points that it is made from; each can be read as four lanes.</summary>
+internal struct DifferenceVertex
+{
+    public Double3 W;
 
+    /// <summary>The support points' ids, negative where one has none.</summary>
+    public int IdA, IdB;
+
+    /// <summary>From A's centre.</summary>
+    public Double3 OnA;
+
+    private readonly double _endA;
+
+    /// <summary>From B's centre, in B's own axes.</summary>
+    public Double3 OnB;
+
+    private readonly double _endB;
+
+    /// <summary>Writes all of it; each register covers what is behind it, too.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Add(double* p, double weight, ref double x, ref double y, ref double z)
+    public void Set(in Double3 w, in Xyz onA, in Xyz onB, int idA, int idB)
     {
-        x += p[0] * weight;
-        y += p[1] * weight;
-        z += p[2] * weight;
+        Double3.Write(w.X, w.Y, w.Z, out W);
+        onA.Store(out OnA);
+        onB.Store(out OnB);
+        IdA = idA;
+        IdB = idB;
     }
-#endif
 }

@@ -77,7 +77,7 @@ internal static class GjkDistance
         {
             int slot = vertices.FreeSlot;
             int ids = MinkowskiDifference.Support(
-                ref a, ref b, frame, feature.Normal, ref state.Simplex, slot, out Double3 w);
+                ref a, ref b, frame, feature.Normal, ref state.Simplex.At(slot), out Double3 w);
             if (state.Matters<TA, TB>(ids))
             {
                 state.See(frame, state.Simplex, slot);

@@ -30,7 +30,7 @@ internal static class GjkExtendedPrecision
         while (true)
         {
             int slot = simplex.FreeSlot;
-            int ids = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out Double3 w);
+            int ids = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex.At(slot), out Double3 w);
             state.Iterations++;
             if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, slot);
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, simplex, slot, isExtended: true));

@@ -144,7 +144,7 @@ internal static class SideNormal<TA, TB>
         ref Simplex ends, int slot)
         where TTrace : struct, IGjkTrace
     {
-        MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends, slot, out Double3 w);
+        MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends.At(slot), out Double3 w);
         state.Iterations++;
         if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, ends, slot, false));
         return w;

@@ -38,10 +38,10 @@ public struct WarmStart
         // A stray count is only a wrong guess.
         int count = (uint)_count <= 4u ? _count : 0;
         ref Simplex simplex = ref state.Simplex;
-        bool found = count > 0 && MinkowskiDifference.TryPlace(ref a, ref b, frame, _a0, _b0, ref simplex, 0);
-        if (count > 1) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a1, _b1, ref simplex, 1);
-        if (count > 2) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a2, _b2, ref simplex, 2);
-        if (count > 3) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a3, _b3, ref simplex, 3);
+        bool found = count > 0 && MinkowskiDifference.TryPlace(ref a, ref b, frame, _a0, _b0, ref simplex.At(0));
+        if (count > 1) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a1, _b1, ref simplex.At(1));
+        if (count > 2) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a2, _b2, ref simplex.At(2));
+        if (count > 3) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a3, _b3, ref simplex.At(3));
         if (found) simplex.Select(count, 0, 1, 2, 3);
         state.Feature.Normal = FirstNormal(frame);
     }

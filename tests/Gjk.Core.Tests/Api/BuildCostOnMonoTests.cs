@@ -40,7 +40,7 @@ public class BuildCostOnMonoTests
     [
         ("ContactBuilder.*", State), ("ContactManifold.get_Swapped", Answer), ("ContactPlaces.FindAlong", State),
         ("AxisScale.Frame", Placed), ("BodyForm.*", "round shapes of the depth, once"),
-        ("Placement.GetFace", State), ("RigidPose.*", Conversion), ("RotationD.get_Transposed", Answer),
+        ("Placement.GetFace", State), ("RigidPose.*", Conversion),
         ("ConvexQuery.*", Answer), ("DistanceFinish.ToWorld", Answer), ("DistanceSolver.Tell", Trace),
         ("DistanceSolver.SolvePoints", State), ("SignedDistanceSolver.Tell", Trace), ("ConvexShape.*", Making),
         ("Scaled.GetFace", State), ("ScaledLayer.AreEqual", Making),

@@ -70,7 +70,7 @@ public class FolderTests(ITestOutputHelper output)
     /// <summary>Lines of code that each folder may have: what it had when this was last set, and 1 %.</summary>
     private static readonly Dictionary<string, int> Budgets = new()
     {
-        ["Arithmetic"] = 110,
+        ["Arithmetic"] = 115,
         ["Batch"] = 166,
         ["BroadPhase"] = 861,
         ["Concave"] = 2535,
@@ -78,15 +78,15 @@ public class FolderTests(ITestOutputHelper output)
         ["Contacts"] = 972,
         ["Cores"] = 542,
         ["Diagnostics"] = 685,
-        ["Geometry"] = 585,
+        ["Geometry"] = 601,
         ["Hulls"] = 225,
         ["Hulls/Building"] = 834,
         ["Hulls/Lookup"] = 889,
-        ["Minkowski"] = 431,
+        ["Minkowski"] = 357,
         ["Queries"] = 1461,
         ["Queries/Rays"] = 572,
         ["Shapes"] = 893,
-        ["Simplex"] = 940,
+        ["Simplex"] = 903,
         ["Solvers"] = 614,
         ["Solvers/Depth"] = 1255,
         ["Solvers/Motion"] = 948,

@@ -24,13 +24,13 @@ public class MinkowskiDifferenceTests
             {
                 Simplex simplex = default;
                 int ids = MinkowskiDifference.Support(
-                    ref shapeA, ref shapeB, frame, normal, ref simplex, 2, out Double3 w);
+                    ref shapeA, ref shapeB, frame, normal, ref simplex.At(2), out Double3 w);
                 (int idA, int idB) = (simplex.IdA(2), simplex.IdB(2));
                 Assert.Equal(idA | idB, ids);
                 Assert.Equal(w, simplex.W(2));
                 Assert.True(shapeA.TryGetVertex(idA, out Double3 vertexA) && vertexA == simplex.OnA(2));
                 Assert.True(shapeB.TryGetVertex(idB, out Double3 vertexB) && vertexB == simplex.OnB(2));
-                Assert.True(MinkowskiDifference.TryPlace(ref shapeA, ref shapeB, frame, idA, idB, ref simplex, 1));
+                Assert.True(MinkowskiDifference.TryPlace(ref shapeA, ref shapeB, frame, idA, idB, ref simplex.At(1)));
                 Assert.Equal(w, simplex.W(1));
                 Assert.Equal(Lowest(problem, a, b, normal), Double3.Dot(normal, w), 10 * Rounding);
             }

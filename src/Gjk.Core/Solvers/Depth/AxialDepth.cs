@@ -195,7 +195,7 @@ internal static unsafe class AxialDepth<TA, TB>
     public static Double3 Support(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex simplex)
     {
-        int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out Double3 w);
+        int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex.At(0), out Double3 w);
         state.Iterations++;
         if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, 0);
         return w;

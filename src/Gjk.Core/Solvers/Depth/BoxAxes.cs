@@ -53,8 +53,8 @@ internal static unsafe class BoxAxes
 #if NET
         Find(
             frame.Inverse.Column0, frame.Inverse.Column1, frame.Inverse.Column2, frame.Rotation.Column0,
-            frame.Rotation.Column1, frame.Rotation.Column2, halfA.ToXyz(), frame.TranslationLanes, halfA, halfB, frame,
-            costs, squares);
+            frame.Rotation.Column1, frame.Rotation.Column2, halfA.ToXyz(), frame.Translation.ToXyz(), halfA, halfB,
+            frame, costs, squares);
 #else
         fixed (double* back = &frame.Inverse.M00, to = &frame.Rotation.M00)
         fixed (Double3* half = &halfA, way = &frame.Translation)

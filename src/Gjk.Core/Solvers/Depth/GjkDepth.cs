@@ -175,12 +175,7 @@ internal static class PolytopeEnd
     /// <summary>Makes a simplex of a face's vertices.</summary>
     public static unsafe void Copy(in Polytope polytope, int face, ref Simplex simplex)
     {
-        for (int k = 0; k < 3; k++)
-        {
-            ref PolytopeVertex vertex = ref polytope.Vertex(polytope.Face(face).Vertices[k]);
-            simplex.Fill(k, vertex.W, vertex.OnA, vertex.OnB, vertex.IdA, vertex.IdB);
-        }
-
+        for (int k = 0; k < 3; k++) simplex.At(k) = polytope.Vertex(polytope.Face(face).Vertices[k]);
         simplex.Select(3, 0, 1, 2, 0);
     }
 

@@ -51,8 +51,8 @@ internal static unsafe class PolytopeStart<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, in Double3 direction, ref SolverState state, ref Polytope polytope)
     {
         state.Iterations++;
-        PolytopeVertex* vertex = polytope.Add(out int added);
-        MinkowskiDifference.Support(ref a, ref b, frame, direction, vertex);
+        DifferenceVertex* vertex = polytope.Add(out int added);
+        MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref *vertex, out _);
         if (state.Matters<TA, TB>(vertex->IdA | vertex->IdB))
             state.See(frame, vertex->IdA | vertex->IdB, vertex->OnA, vertex->OnB);
         return added;

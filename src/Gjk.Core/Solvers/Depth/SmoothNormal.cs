@@ -91,7 +91,7 @@ internal static class SmoothNormal<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex end)
     {
         state.Iterations++;
-        MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref end, 0, out Double3 w);
+        MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref end.At(0), out Double3 w);
         return w;
     }
 }

@@ -55,7 +55,7 @@ internal static class CastNormal
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex, 0, out Double3 w);
+        MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex.At(0), out Double3 w);
         cast.Iterations++;
         return -Double3.Dot(normal, w) - frame.Margins;
     }
@@ -72,7 +72,7 @@ internal static class CastNormal
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
             int slot = vertices.FreeSlot;
-            MinkowskiDifference.Support(ref a, ref b, frame, feature.Normal, ref simplex, slot, out Double3 w);
+            MinkowskiDifference.Support(ref a, ref b, frame, feature.Normal, ref simplex.At(slot), out Double3 w);
             cast.Iterations++;
             double gap = feature.Height - Double3.Dot(feature.Normal, w);
             if (vertices.Count > 0 && !(gap > Gap * feature.Height)) break;

@@ -78,7 +78,8 @@ internal static class CastPortal
             double height = Double3.Dot(normal, corner);
             if (!(line.FractionAt(height / slope) > 0)) return MotionVerdict.Undecided;
             int slot = portal.FreeSlot;
-            int ids = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref state.Simplex, slot, out Double3 w);
+            int ids = MinkowskiDifference.Support(
+                ref a, ref b, frame, normal, ref state.Simplex.At(slot), out Double3 w);
             cast.Iterations++;
             double plane = Double3.Dot(normal, w), entry = plane / slope;
             if (entry > end + gap) return MotionVerdict.Miss;
@@ -122,7 +123,7 @@ internal static class CastPortal
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
             int slot = portal.FreeSlot;
-            int ids = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex, slot, out Double3 w);
+            int ids = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex.At(slot), out Double3 w);
             cast.Iterations++;
             if (ids < 0) return MotionVerdict.Undecided;
             double beyond = Double3.Dot(side, w);

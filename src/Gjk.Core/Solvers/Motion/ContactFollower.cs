@@ -138,7 +138,7 @@ internal static class ContactFollower
         SolverState.Begin<TA, TB>(frame, out state);
         state.Feature.Normal = plane.NormalAt(frame, fraction);
         state.Feature.NormalSquared = state.Feature.Normal.LengthSquared;
-        MinkowskiDifference.Support(ref a, ref b, frame, state.Feature.Normal, ref state.Simplex, 0, out Double3 w);
+        MinkowskiDifference.Support(ref a, ref b, frame, state.Feature.Normal, ref state.Simplex.At(0), out Double3 w);
         state.Simplex.Select(1, 0, 0, 0, 0);
         state.Plane.Set(state.Feature, Double3.Dot(state.Feature.Normal, w));
         gap = state.Plane.Value / Math.Sqrt(state.Plane.NormalSquared) - frame.Margins;

@@ -47,7 +47,7 @@ internal struct PairMotion
         QuaternionD a = A.At(fraction), b = B.At(fraction), bInA = a.Conjugate * b;
         RotationD.Set(out frame.RotationA, a.X, a.Y, a.Z, a.W, A.Scale);
         RotationD.Set(out frame.Rotation, bInA.X, bInA.Y, bInA.Z, bInA.W, 0.5 * A.Scale * B.Scale);
-        frame.Inverse = frame.Rotation.Transposed;
+        frame.Rotation.Transpose(out frame.Inverse);
         frame.Translation =
             frame.RotationA.InverseRotate(Between(fraction)) + frame.Rotation.Rotate(B.Offset) - A.Offset;
     }

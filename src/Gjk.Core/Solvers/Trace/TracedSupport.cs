@@ -14,7 +14,7 @@ public readonly struct TracedSupport
         IsExtended = isExtended;
     }
 
-    internal TracedSupport(in PairFrame frame, in Double3 normal, in PolytopeVertex vertex)
+    internal TracedSupport(in PairFrame frame, in Double3 normal, in DifferenceVertex vertex)
     {
         var axes = new TraceAxes(frame);
         Normal = axes.Direction(normal);
