@@ -78,7 +78,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Contacts"] = 972,
         ["Cores"] = 542,
         ["Diagnostics"] = 685,
-        ["Geometry"] = 601,
+        ["Geometry"] = 608,
         ["Hulls"] = 225,
         ["Hulls/Building"] = 834,
         ["Hulls/Lookup"] = 889,
