@@ -7,14 +7,16 @@ internal static class Uncleared
     /// <summary>As <c>Unsafe.SkipInit</c>, which only the newer runtimes have.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Begin<T>(out T value)
-        where T : unmanaged
+        where T : struct
     {
 #if NET
         Unsafe.SkipInit(out value);
 #else
+#pragma warning disable CS8500
         fixed (T* same = &value)
         {
         }
+#pragma warning restore CS8500
 #endif
     }
 
@@ -28,6 +30,19 @@ internal static class Uncleared
 #else
 #pragma warning disable CS8500 // The pointer is a reference again before the garbage collector may move anything.
         fixed (T* same = &first) return ref same[index];
+#pragma warning restore CS8500
+#endif
+    }
+
+    /// <summary>A value as one of another type, which it is known to be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe ref TTo As<T, TTo>(ref T value)
+    {
+#if NET
+        return ref Unsafe.As<T, TTo>(ref value);
+#else
+#pragma warning disable CS8500 // The pointer is a reference again before the garbage collector may move anything.
+        fixed (T* same = &value) return ref *(TTo*)same;
 #pragma warning restore CS8500
 #endif
     }

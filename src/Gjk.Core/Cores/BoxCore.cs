@@ -18,8 +18,9 @@ internal struct BoxCore : ISupportMap, IPlainBody
     public static void Make(
         in Double3 half, in Double3 center, BoxCorners corners, double radius, double margin, out BoxCore box)
     {
-        box.Half = new LaneVector(half);
-        box._center = new Double3(center.X, center.Y, center.Z);
+        Double3.Write(half.X, half.Y, half.Z, out box.Half.Xyz);
+        box.Half.End = 0;
+        Double3.Write(center.X, center.Y, center.Z, out box._center);
         box.Corners = corners;
         box._margin = margin;
         box._radius = radius;

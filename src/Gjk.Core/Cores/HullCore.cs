@@ -20,8 +20,9 @@ internal readonly struct HullCore(ConvexHull hull, double radius, double margin)
 
     public int Support(in Double3 direction, out Double3 point)
     {
-        int id = HullSupport.Find(_hull.Cells, direction, out Double3 vertex);
-        point = vertex - _hull.Center;
+        int id = HullSupport.Find(_hull.Cells, direction, out point);
+        Double3 center = _hull.Center;
+        Double3.Write(point.X - center.X, point.Y - center.Y, point.Z - center.Z, out point);
         return id;
     }
 

@@ -27,10 +27,10 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
         in Double3 first, in Double3 second, int count, in Double3 center, double radius, double margin,
         out SegmentCore core)
     {
-        core._first = new LaneVector(first - center);
-        core._second = new LaneVector(second - center);
-        core._toFirst = first - second;
-        core._center = new Double3(center.X, center.Y, center.Z);
+        LaneVector.Between(center, first, out core._first);
+        LaneVector.Between(center, second, out core._second);
+        Double3.Write(first.X - second.X, first.Y - second.Y, first.Z - second.Z, out core._toFirst);
+        Double3.Write(center.X, center.Y, center.Z, out core._center);
         core._margin = margin;
         core._radius = radius;
         core._count = count;
@@ -57,13 +57,14 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     public readonly int Support(in Double3 direction, out Double3 point)
     {
         int id = SupportId(direction);
-        point = (id == 0 ? _first : _second).Xyz;
+        TryGetVertex(id, out point);
         return id;
     }
 
     public readonly bool TryGetVertex(int id, out Double3 point)
     {
-        point = (id == 0 ? _first : _second).Xyz;
+        if (id == 0) Double3.Write(_first.Xyz.X, _first.Xyz.Y, _first.Xyz.Z, out point);
+        else Double3.Write(_second.Xyz.X, _second.Xyz.Y, _second.Xyz.Z, out point);
         return Has(id);
     }
 

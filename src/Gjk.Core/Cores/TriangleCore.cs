@@ -18,12 +18,12 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
         in Double3 first, in Double3 second, in Double3 third, in Double3 center, double radius, double margin,
         out TriangleCore core)
     {
-        core._first = new LaneVector(first - center);
-        core._second = new LaneVector(second - center);
-        core._third = new LaneVector(third - center);
-        core._toSecond = second - first;
-        core._toThird = third - first;
-        core._center = new Double3(center.X, center.Y, center.Z);
+        LaneVector.Between(center, first, out core._first);
+        LaneVector.Between(center, second, out core._second);
+        LaneVector.Between(center, third, out core._third);
+        Double3.Write(second.X - first.X, second.Y - first.Y, second.Z - first.Z, out core._toSecond);
+        Double3.Write(third.X - first.X, third.Y - first.Y, third.Z - first.Z, out core._toThird);
+        Double3.Write(center.X, center.Y, center.Z, out core._center);
         core._margin = margin;
         core._radius = radius;
     }
@@ -51,7 +51,9 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
     public readonly bool TryGetVertex(int id, out Double3 point)
     {
-        point = id == 0 ? _first.Xyz : id == 1 ? _second.Xyz : _third.Xyz;
+        if (id == 0) Double3.Write(_first.Xyz.X, _first.Xyz.Y, _first.Xyz.Z, out point);
+        else if (id == 1) Double3.Write(_second.Xyz.X, _second.Xyz.Y, _second.Xyz.Z, out point);
+        else Double3.Write(_third.Xyz.X, _third.Xyz.Y, _third.Xyz.Z, out point);
         return Has(id);
     }
 

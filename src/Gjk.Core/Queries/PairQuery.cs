@@ -4,8 +4,9 @@ namespace Gjk.Core;
 /// finish.</summary>
 /// <remarks>Cores are unwrapped first: what is read right after it was written waits for it, and the frame takes its
 /// time. The frame is that of the cores, in their own axes, so below it nothing knows of placements. Each pair of cores
-/// has a method of its own, whose frame holds no more than these two. Ahead-of-time compilers would make all of them,
-/// so for netstandard shapes are solved as they are; the bits are the same.</remarks>
+/// has a method of its own, whose frame holds no more than these two. Ahead-of-time compilers make them all, some
+/// megabytes of code; so for netstandard two of a kind are unwrapped, and others are solved as they are; the bits are
+/// the same.</remarks>
 internal static class PairQuery
 {
     /// <summary>The distance, written where it is to be: for arrays of results.</summary>
@@ -87,6 +88,22 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
             _ => false,
         };
 
+#else
+    {
+        FormKind kind = CoreOf.Kind<TA, TB>(ref a);
+        if (kind == FormKind.None || kind != CoreOf.Kind<TB, TA>(ref b)) return false;
+        return kind switch
+        {
+            FormKind.Box => SolveCores<BoxCore, BoxCore>(ref a, poseA, ref b, poseB, ref solver, out result),
+            FormKind.Segment =>
+                SolveCores<SegmentCore, SegmentCore>(ref a, poseA, ref b, poseB, ref solver, out result),
+            FormKind.Triangle =>
+                SolveCores<TriangleCore, TriangleCore>(ref a, poseA, ref b, poseB, ref solver, out result),
+            _ => false,
+        };
+    }
+#endif
+
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static bool SolveCores<TCoreA, TCoreB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
@@ -98,9 +115,6 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
         return true;
     }
-#else
-        => false;
-#endif
 
     /// <summary>Solves shapes without their placements.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

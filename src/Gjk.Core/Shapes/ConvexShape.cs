@@ -170,7 +170,7 @@ public readonly partial struct ConvexShape
     internal void Get(out BoxCore box)
     {
         ConvexHull? hull = _parts.Hull;
-        if (hull is null) BoxCore.Make(_parts.A, default, BoxCorners.Plain, _boundingRadius, _margin, out box);
+        if (hull is null) BoxCore.Make(_parts.A, _center, BoxCorners.Plain, _boundingRadius, _margin, out box);
         else BoxCore.Make(hull.Cells.Stretch, _center, hull.Cells.Corners, _boundingRadius, _margin, out box);
     }
 

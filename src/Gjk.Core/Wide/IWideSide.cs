@@ -56,9 +56,9 @@ internal unsafe struct WideBoxes : IWideSide
     public void Load(int lane, in ConvexShape shape)
     {
         shape.Get(out BoxCore box);
-        _half[lane] = box.Half.X;
-        _half[lane + 4] = box.Half.Y;
-        _half[lane + 8] = box.Half.Z;
+        _half[lane] = box.Half.Xyz.X;
+        _half[lane + 4] = box.Half.Xyz.Y;
+        _half[lane + 8] = box.Half.Xyz.Z;
         _corners[lane] = box.Corners.Packed;
     }
 

@@ -20,6 +20,7 @@ public class BuildCostOnMonoTests
         ("Placement.GetFace", Given), ("ShapeTraits.cctor", Making), ("PlacedTraits.InCoreAxes", Decorator),
         ("Guard.NotNull", Making), ("PairFrame.Tighten", Given), ("PairFrame.ComposePlaced", Given),
         ("UnitSized.*", Decorator), ("ConvexQuery.AddPlacedPoints", Placed), ("PairQuery.SolveCopies", Given),
+        ("PairQuery.SolveCores", "the cores, made once for each query in place of a switch in each support"),
         ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
     ];
 

@@ -70,7 +70,7 @@ public class FolderTests(ITestOutputHelper output)
     /// <summary>Lines of code that each folder may have: what it had when this was last set, and 1 %.</summary>
     private static readonly Dictionary<string, int> Budgets = new()
     {
-        ["Arithmetic"] = 115,
+        ["Arithmetic"] = 119,
         ["Batch"] = 166,
         ["BroadPhase"] = 861,
         ["Concave"] = 2535,
