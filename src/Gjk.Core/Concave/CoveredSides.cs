@@ -200,10 +200,18 @@ internal static class CoveredSides
         return IsWithin(shape, point, Room * (length + point.Length));
     }
 
-    /// <summary>Whether a triangle is certainly too far from a point to hold it.</summary>
-    public static bool IsClear(TriangleMesh mesh, int triangle, in Double3 point)
+    /// <summary>Whether a part of a mesh or compound is certainly too far from a point to hold it.</summary>
+    public static bool IsClear(PartSide side, int part, in Double3 point)
     {
-        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        if (side.Compound is { } compound)
+        {
+            Double3 below = compound.Boxes[part].Min - point, above = point - compound.Boxes[part].Max;
+            double room = 2 * Room * (below.SumOfMagnitudes + above.SumOfMagnitudes + point.SumOfMagnitudes);
+            return Math.Max(Math.Max(below.X, above.X), Math.Max(below.Y, above.Y)) > room
+                || Math.Max(below.Z, above.Z) > room;
+        }
+
+        side.Mesh!.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
         var reach = new TriangleReach(a, b, c, point);
         return reach.IsBeyond(2 * Room * (reach.Size + point.SumOfMagnitudes));
     }
