@@ -141,7 +141,7 @@ internal static class SeamContacts
         ref readonly ConvexShape partB = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
         var cover = new PartsCover(scratch, isA, one);
         Double3 way = isAtJoint
-            ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), -one.Result.Distance, cover)
+            ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), cover)
             : default;
         PairContacts held = one;
         bool isThere = way.LengthSquared > 0 && Judge(otherSide, other, -way) == ContactFit.Stays
