@@ -26,6 +26,11 @@ public sealed class CompoundShape
     private CompoundShape(ConvexShape[] parts)
     {
         _parts = parts;
+        Boxes = Array.ConvertAll(parts, part =>
+        {
+            Box(part, part.Margin, out Double3 min, out Double3 max);
+            return (min, max);
+        });
         Tree = PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1);
     }
 
@@ -56,6 +61,9 @@ public sealed class CompoundShape
 
     /// <summary>The parts, not to be written to.</summary>
     internal ConvexShape[] Parts => _parts;
+
+    /// <summary>Boxes that hold the parts for certain.</summary>
+    internal (Double3 Min, Double3 Max)[] Boxes { get; }
 
     /// <summary>A box of a convex shape in its own frame, margin included; holds it for certain.</summary>
     internal static void Box(in ConvexShape shape, double margin, out Double3 min, out Double3 max)
@@ -88,7 +96,7 @@ public sealed class CompoundShape
         public int Count => compound.PartCount;
 
         public void GetBox(int part, out Double3 min, out Double3 max) =>
-            Box(compound._parts[part], compound._parts[part].Margin, out min, out max);
+            (min, max) = compound.Boxes[part];
 
         public bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
         {

@@ -188,7 +188,9 @@ internal static class ContactPush
     private static bool TakesApart(ConcaveScratch scratch, in PairContacts push, in FaceContact pair)
     {
         Vector3 by = push.Manifold.Normal * LengthOf(push.Result);
-        if (pair.Own > 0) return !IsBehind(scratch, pair, by);
+
+        // The contact is a face's that is behind what the parts, which are apart, show each other.
+        if (pair.Own > Math.Max(pair.Contact.Result.Distance, 0)) return !IsBehind(scratch, pair, by);
         ConvexShape roomA = default, roomB = default;
         return TakesApart(
             scratch.A.Part(Math.Max(pair.PartA, 0), ref roomA), scratch.A.Pose,

@@ -17,13 +17,10 @@ internal static class CoveredSides
     /// parts whose places are rounded.</summary>
     public const double Room = 4 * ContactCone.Slack;
 
-    /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane. At the least
-    /// angle at which it is looked for that is still clear of a part that ends at the plane.</summary>
-    private const double Beyond = 16;
-
-    /// <summary>Count of <see cref="Room"/>, and share of a depth: so far beyond the witness it is looked what the
-    /// union shows there. More may miss a small face, less is rounding.</summary>
-    private const double Ahead = 64, AheadOfDepth = 1.0 / 16;
+    /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane, and so far
+    /// beyond a witness what the union shows there. A plane across a side is turned from it by 26 degrees or
+    /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
+    private const double Beyond = 1 / (1 - ContactCone.LeastCosine);
 
     /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact.</summary>
     private const int MostPlanes = 32;
@@ -134,12 +131,9 @@ internal static class CoveredSides
 
     /// <summary>Where the union goes on from a witness along the direction of a contact: the way to what is just beyond
     /// it.</summary>
-    public static Double3 WayFrom<T>(in Double3 witness, in Double3 outward, double depth, T cover)
-        where T : struct, ICover
-    {
-        double ahead = Ahead * Room * witness.SumOfMagnitudes + AheadOfDepth * depth;
-        return cover.WayTo(witness + outward * ahead);
-    }
+    public static Double3 WayFrom<T>(in Double3 witness, in Double3 outward, T cover)
+        where T : struct, ICover =>
+        cover.WayTo(witness + outward * (Beyond * Room * witness.SumOfMagnitudes));
 
     /// <summary>The tip of a body against a direction, and what is opposite it.</summary>
     public static ManifoldPoint Tip(
@@ -200,10 +194,18 @@ internal static class CoveredSides
         return IsWithin(shape, point, Room * (length + point.Length));
     }
 
-    /// <summary>Whether a triangle is certainly too far from a point to hold it.</summary>
-    public static bool IsClear(TriangleMesh mesh, int triangle, in Double3 point)
+    /// <summary>Whether a part of a mesh or compound is certainly too far from a point to hold it.</summary>
+    public static bool IsClear(PartSide side, int part, in Double3 point)
     {
-        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        if (side.Compound is { } compound)
+        {
+            Double3 below = compound.Boxes[part].Min - point, above = point - compound.Boxes[part].Max;
+            double room = 2 * Room * (below.SumOfMagnitudes + above.SumOfMagnitudes + point.SumOfMagnitudes);
+            return Math.Max(Math.Max(below.X, above.X), Math.Max(below.Y, above.Y)) > room
+                || Math.Max(below.Z, above.Z) > room;
+        }
+
+        side.Mesh!.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
         var reach = new TriangleReach(a, b, c, point);
         return reach.IsBeyond(2 * Room * (reach.Size + point.SumOfMagnitudes));
     }

@@ -91,30 +91,14 @@ internal sealed class PartSide
     public Double3 CenterOf(int part)
     {
         ConvexShape room = default;
-        Double3 center;
-        if (Mesh is null)
-        {
-            center = Part(part, ref room).Center;
-        }
-        else
-        {
-            Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-            center = TriangleShape.Centroid(a, b, c);
-        }
-
-        return new RotationD(Pose.Rotation).Rotate(center) + Pose.Position;
+        return CoveredSides.InWorld(Mesh is null ? Part(part, ref room).Center : MiddleOf(Mesh, part), Pose);
     }
 
     /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
     public Double3 MiddleOf(int piece, out int part)
     {
         part = Mesh is not null ? Mesh.Components[piece] : piece;
-        if (Mesh is not null)
-        {
-            Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-            return TriangleShape.Centroid(a, b, c);
-        }
-
+        if (Mesh is not null) return MiddleOf(Mesh, part);
         ConvexShape room = default;
         ref readonly ConvexShape shape = ref Part(part, ref room);
         Double3 sum = default;
@@ -127,5 +111,11 @@ internal sealed class PartSide
         }
 
         return shape.Center + sum * (1.0 / 6);
+    }
+
+    private static Double3 MiddleOf(TriangleMesh mesh, int triangle)
+    {
+        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        return TriangleShape.Centroid(a, b, c);
     }
 }

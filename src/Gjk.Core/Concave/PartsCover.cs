@@ -33,7 +33,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         {
             int part = isA ? near.PartA : near.PartB;
             if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
-            if (_side.Mesh is { } mesh && CoveredSides.IsClear(mesh, part, local)) continue;
+            if (CoveredSides.IsClear(_side, part, local)) continue;
             if (CoveredSides.GoesOn(_side.Part(part, ref room), local, along)) return true;
         }
 

@@ -44,8 +44,8 @@ internal static class SeamContacts
         search.Add(own, contacts);
     }
 
-    /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap, what
-    /// may hold them instead is kept.</summary>
+    /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap or
+    /// touch, what may hold them instead is kept, as sides may cover each other where more than two meet.</summary>
     public static void RemoveCovered(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
         RemoveCovered(scratch, scratch.A, true, maxGap, contacts);
@@ -70,13 +70,18 @@ internal static class SeamContacts
 
         RemoveCoveredFaces(scratch, side, isA);
         foreach (FaceContact one in scratch.FaceContacts)
-            if (one.IsOfA == isA) CoveredSides.AddPlane(planes, one.Contact.Manifold, isA, side.Pose);
+        {
+            // A face that is much deeper than its pair is pushed along only where nothing else pushes.
+            if (one.IsOfA == isA && !(one.Own > one.Contact.Result.Distance * ContactPush.MuchLess))
+                CoveredSides.AddPlane(planes, one.Contact.Manifold, isA, side.Pose);
+        }
+
         int kept = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
             PairContacts one = contacts[i];
             if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
-            else if (one.Result.Distance < 0) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
+            else if (one.Result.Distance <= ContactCone.Slack) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
@@ -91,7 +96,7 @@ internal static class SeamContacts
             FaceContact face = faces[i];
             bool isAtJoint = IsAtJoint(scratch, isA, face.Contact);
             if (!IsCovered(scratch, side, isA, face.Contact, isAtJoint)) faces[kept++] = face;
-            else if (face.Own < 0) scratch.Orphans.Add(face);
+            else if (face.Own <= ContactCone.Slack) scratch.Orphans.Add(face);
         }
 
         faces.RemoveRange(kept, faces.Count - kept);
@@ -136,7 +141,7 @@ internal static class SeamContacts
         ref readonly ConvexShape partB = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
         var cover = new PartsCover(scratch, isA, one);
         Double3 way = isAtJoint
-            ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), -one.Result.Distance, cover)
+            ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), cover)
             : default;
         PairContacts held = one;
         bool isThere = way.LengthSquared > 0 && Judge(otherSide, other, -way) == ContactFit.Stays

@@ -2,13 +2,9 @@ namespace Gjk.Core;
 
 /// <summary>Whether a triangle is within a distance of a point, where double is enough to be certain. A point that is
 /// as good as on a triangle is the slowest to measure, and most that are asked are that or far away.</summary>
+/// <remarks>The error is that of a determinant, which is how far off a plane through three corners may be.</remarks>
 internal readonly ref struct TriangleReach
 {
-    /// <summary>Ratio to a length, and to a volume: 16 roundings, no less than the side of a plane through three
-    /// corners loses. More asks the exact query more often; TriangleReachTests has needles that show more than
-    /// none.</summary>
-    private const double Error = 16 * RoundOff.Unit;
-
     /// <summary>The corners as seen from the point.</summary>
     private readonly Double3 _a, _b, _c;
 
@@ -31,7 +27,8 @@ internal readonly ref struct TriangleReach
         }
 
         Double3 across = Double3.Cross(_b - _a, _c - _a);
-        return Math.Abs(Double3.Dot(across, _a)) > room * across.SumOfMagnitudes + Error * Size * Size * (Size + room);
+        double error = GjkTolerances.DeterminantError * Size * Size * (Size + room);
+        return Math.Abs(Double3.Dot(across, _a)) > room * across.SumOfMagnitudes + error;
     }
 
     /// <summary>Whether the triangle is certainly no further away: a point of it is not, which is the nearest but for
@@ -43,7 +40,7 @@ internal readonly ref struct TriangleReach
         double ofB = Math.Max(Double3.Dot(across, Double3.Cross(_c, _a)), 0);
         double ofC = Math.Max(Double3.Dot(across, Double3.Cross(_a, _b)), 0);
         Double3 near = (_a * ofA + _b * ofB + _c * ofC) * (1 / (ofA + ofB + ofC));
-        return near.SumOfMagnitudes + Error * Size <= room;
+        return near.SumOfMagnitudes + GjkTolerances.DeterminantError * Size <= room;
     }
 
     private static bool AreBeyond(double a, double b, double c, double room) =>

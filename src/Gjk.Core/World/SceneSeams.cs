@@ -186,8 +186,7 @@ internal sealed class SceneSeams(SceneObjects objects)
             ref readonly ConvexShape ground = ref GroundPart(ref groundRoom);
             ref readonly ConvexShape body = ref BodyPart(ref bodyRoom);
             RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
-            Double3 way = CoveredSides.WayFrom(
-                Witness, Outward, -_contact.Result.Distance, new GroundCover(_objects, Ground, grounds));
+            Double3 way = CoveredSides.WayFrom(Witness, Outward, new GroundCover(_objects, Ground, grounds));
             straight = _contact;
             return _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
                 ? CoveredSides.TryAlong(ref straight, false, body, bodyPose, ground, pose, maxGap, way)

@@ -22,6 +22,9 @@ internal static class ContactsOfParts
     /// other.</summary>
     private const double Alike = 0.9;
 
+    /// <summary>Cosine: contacts that push less alike than this do not hold what the other one would.</summary>
+    private const float Lifting = 0.1f;
+
     public static string? Broken(ConcavePair pair)
     {
         if (pair.IsUnknown) return null;
@@ -37,8 +40,6 @@ internal static class ContactsOfParts
             return null;
         }
 
-        // Where sheets pass through each other, a contact that another one pushes out of may stay away.
-        if (pair.RawA.Triangles is not null && pair.RawB.Triangles is not null && pair.Least <= 0) return null;
         var named = found.Select(one => pair.IndexOf(one.PartA, one.PartB)).ToHashSet();
         for (int i = 0; i < pair.PairCount; i++)
         {
@@ -46,7 +47,7 @@ internal static class ContactsOfParts
             int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
             DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
             if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-                && !IsBuried(pair, found, manifold, gap))
+                && !IsHeld(pair, found, part.Distance, manifold))
             {
                 return Say.Line($"the contact of pair {i}, {part}, is lost");
             }
@@ -68,7 +69,7 @@ internal static class ContactsOfParts
         // A corner that a neighbour climbs to is named by these parts, too, beside their own.
         bool isThere = found.Exists(other => pair.IndexOf(other.PartA, other.PartB) == i && IsOwn(other));
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-            && !IsBuried(pair, found, manifold, gap))
+            && !IsHeld(pair, found, part.Distance, manifold))
         {
             return Say.Line($"the parts say {part}, {manifold.Count} points");
         }
@@ -104,18 +105,15 @@ internal static class ContactsOfParts
         return false;
     }
 
-    /// <summary>Whether all points of a contact are on or behind the plane of another, found or of two parts, by no
-    /// more than that pushes the other body out of it: such a side may be covered.</summary>
-    private static bool IsBuried(
-        ConcavePair pair, List<PairContacts> found, in ContactManifold contact, float gap)
+    /// <summary>Whether a found contact lifts two parts half the way along their own, or all points of their own are
+    /// on or behind its plane, by no more than it pushes the other body out: such a side may be covered.</summary>
+    private static bool IsHeld(ConcavePair pair, List<PairContacts> found, float own, in ContactManifold contact)
     {
         foreach (PairContacts one in found)
-            if (Buries(pair, one.Manifold, contact)) return true;
-        for (int i = 0; i < pair.PairCount; i++)
         {
-            if (!(pair.All[i].Distance <= gap)) continue;
-            Own(pair, i, gap, out ContactManifold other);
-            if (other.Count > 0 && Buries(pair, other, contact)) return true;
+            float along = Vector3.Dot(one.Manifold.Normal, contact.Normal);
+            if (along > Lifting && along * Math.Max(-one.Result.Distance, 0) >= -own / 2) return true;
+            if (Buries(pair, one.Manifold, contact)) return true;
         }
 
         return false;
