@@ -12,8 +12,8 @@ public static unsafe partial class ConvexQuery
     /// <param name="maxDistance">In world units. When the distance, rounded to float, is larger, the query ends early
     /// with <see cref="GjkStatus.BeyondMaxDistance"/>. Below 0 counts as 0; NaN gives
     /// <see cref="GjkStatus.InvalidInput"/>.</param>
-    /// <returns>The true distance of the shapes as given, rounded to float; on curved cores (cylinder, cone, ellipsoid)
-    /// within 1e-6 of the larger of size and distance. A <c>default</c> pose or shape, or a NaN, gives
+    /// <returns>The true distance of the shapes as given, rounded to float; on curved cores (cylinder, cone, ellipsoid,
+    /// tapered capsule) within 1e-6 of the larger of size and distance. A <c>default</c> pose or shape, or a NaN, gives
     /// <see cref="GjkStatus.InvalidInput"/>. See <see cref="DistanceResult"/>.</returns>
     public static DistanceResult Distance<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxDistance = float.PositiveInfinity)

@@ -29,6 +29,12 @@ public readonly partial struct ConvexShape
         return Make(ShapeKind.Capsule, new Double3(0, height, 0), new Double3(0, -height, 0), margin: margin);
     }
 
+    /// <summary>The hull of two balls on the local y axis, at +halfHeight and -halfHeight; where one holds the other,
+    /// it is that ball.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is negative, NaN or infinite.</exception>
+    public static ConvexShape TaperedCapsule(float topRadius, float bottomRadius, float halfHeight) =>
+        Make(ShapeKind.TaperedCapsule, TaperedCapsuleShape.Sizes(topRadius, bottomRadius, halfHeight));
+
     /// <summary>A box about the local origin.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A half extent is negative, NaN or infinite.</exception>
     public static ConvexShape Box(Vector3 halfExtents) =>
@@ -82,12 +88,13 @@ public readonly partial struct ConvexShape
         ShapeKind kind, in Double3 a, in Double3 b = default, in Double3 c = default, double margin = 0) =>
         new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin });
 
-    /// <summary>The shape struct of a kind without corners.</summary>
+    /// <summary>The shape struct of a kind that is kept as one.</summary>
     private static ILibraryShape? CurveOf(in ShapeParts parts) => parts.Kind switch
     {
         ShapeKind.Cylinder => new CylinderShape(parts.A),
         ShapeKind.Cone => new ConeShape(parts.A),
         ShapeKind.Ellipsoid => new EllipsoidShape(parts.A),
+        ShapeKind.TaperedCapsule => new TaperedCapsuleShape(parts.A),
         _ => null,
     };
 

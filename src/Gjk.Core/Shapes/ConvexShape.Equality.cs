@@ -61,6 +61,8 @@ public readonly partial struct ConvexShape
         ShapeKind.Mesh => $"mesh of {p.Hull!.VertexCount} vertices",
         ShapeKind.Cylinder => $"cylinder, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
         ShapeKind.Cone => $"cone, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
+        ShapeKind.TaperedCapsule =>
+            $"tapered capsule, radii {Text(p.A.X)} and {Text(p.A.Y)}, half height {Text(p.A.Z)}",
         ShapeKind.Custom => $"custom shape, {p.Layer}",
         _ => $"{p.Kind.ToString().ToLowerInvariant()} {Text(p.A)}",
     };

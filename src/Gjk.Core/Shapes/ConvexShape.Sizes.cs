@@ -12,11 +12,18 @@ public readonly partial struct ConvexShape
         _ => 0,
     };
 
-    /// <summary>Half the height of a cylinder or cone; of a capsule without its caps.</summary>
+    /// <summary>The radius of a tapered capsule's ball at +HalfHeight.</summary>
+    public float TopRadius => Innermost(out ShapeParts parts) == ShapeKind.TaperedCapsule ? (float)parts.A.X : 0;
+
+    /// <summary>The radius of a tapered capsule's ball at -HalfHeight.</summary>
+    public float BottomRadius => Innermost(out ShapeParts parts) == ShapeKind.TaperedCapsule ? (float)parts.A.Y : 0;
+
+    /// <summary>Half the height of a cylinder or cone; of a capsule or tapered capsule without its caps.</summary>
     public float HalfHeight => Innermost(out ShapeParts parts) switch
     {
         ShapeKind.Capsule => (float)(parts.A - parts.B).Length / 2,
         ShapeKind.Cylinder or ShapeKind.Cone => (float)parts.A.Y,
+        ShapeKind.TaperedCapsule => (float)parts.A.Z,
         _ => 0,
     };
 

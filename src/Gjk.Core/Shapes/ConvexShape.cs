@@ -3,8 +3,8 @@ namespace Gjk.Core;
 /// <summary>Any of the library's shapes as one type, scaled, rounded and placed in any order: what a scene stores, and
 /// the one closed instantiation of the queries that an ahead-of-time compiler needs.</summary>
 /// <remarks>Immutable. Scales are multiplied in where the product is exact (points, segments, triangles, boxes,
-/// ellipsoids); a mesh, cylinder or cone, and a capsule scaled unevenly, keep their factors and apply them to each
-/// support.</remarks>
+/// ellipsoids); a mesh, cylinder, cone or tapered capsule, and a capsule scaled unevenly, keep their factors and apply
+/// them to each support.</remarks>
 public readonly partial struct ConvexShape
     : ISupportMap, IPlacedShape<ConvexShape>, IEquatable<ConvexShape>
 {
@@ -50,15 +50,17 @@ public readonly partial struct ConvexShape
             : parts.Kind == ShapeKind.Triangle ? FormKind.Triangle
             : parts.Kind != ShapeKind.Mesh ? FormKind.None
             : parts.Hull!.IsExactBox ? FormKind.Box : FormKind.Hull;
-        _center = CoreCenter(parts);
-        _margin = parts.InnerMargin + parts.Rounding;
-        _boundingRadius = CoreRadius(_parts, _center) + parts.InnerMargin;
+        if (_parts.Curve is not null) _parts.InnerMargin = _parts.Curve.Margin;
+        double margin = _parts.InnerMargin;
+        _center = CoreCenter(_parts);
+        _margin = margin + parts.Rounding;
+        _boundingRadius = _parts.Curve is null ? CoreRadius(parts, _center) + margin : _parts.Curve.BoundingRadius;
         if (parts.Scaling is not null)
         {
             var scaling = new ShapeScale(parts.Scale, _center);
             _parts.Scaling = scaling;
             _center = scaling.Center;
-            _margin = scaling.Axes.Margin(parts.InnerMargin) + parts.Rounding;
+            _margin = scaling.Axes.Margin(margin) + parts.Rounding;
             _boundingRadius = _boundingRadius * scaling.Axes.Largest + scaling.CenterError.Length;
             if (!scaling.Axes.KeepsBalls)
             {
@@ -196,6 +198,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Segment or ShapeKind.Capsule => (parts.A + parts.B) * 0.5,
         ShapeKind.Triangle => TriangleShape.Centroid(parts.A, parts.B, parts.C),
         ShapeKind.Mesh => parts.Hull!.Center,
+        ShapeKind.TaperedCapsule => parts.Curve!.Center,
         _ => default,
     };
 
@@ -205,8 +208,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Triangle => TriangleShape.RadiusAbout(center, parts.A, parts.B, parts.C),
         ShapeKind.Box => parts.A.Length,
         ShapeKind.Mesh => parts.Hull!.BoundingRadius,
-        ShapeKind.Point or ShapeKind.Sphere => 0,
-        _ => parts.Curve!.BoundingRadius,
+        _ => 0,
     };
 
     /// <summary>The support of the core before the scale, in the local frame.</summary>
@@ -217,6 +219,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Point or ShapeKind.Sphere => PrimitiveSupport.Point(out point),
         ShapeKind.Segment or ShapeKind.Capsule => PrimitiveSupport.Segment(_parts.A, _parts.B, direction, out point),
         ShapeKind.Triangle => PrimitiveSupport.Triangle(_parts.A, _parts.B, _parts.C, direction, out point),
+        ShapeKind.TaperedCapsule => TaperedSupport(direction, out point),
         _ => _parts.Curve is null ? PrimitiveSupport.Nowhere(out point) : _parts.Curve.Support(direction, out point),
     };
 
@@ -227,6 +230,23 @@ public readonly partial struct ConvexShape
         ShapeKind.Point or ShapeKind.Sphere => PrimitiveSupport.Point(out point) == id,
         ShapeKind.Segment or ShapeKind.Capsule => PrimitiveSupport.Two(_parts.A, _parts.B, id, out point),
         ShapeKind.Triangle => PrimitiveSupport.Three(_parts.A, _parts.B, _parts.C, id, out point),
+        ShapeKind.TaperedCapsule => TryGetTaperedVertex(id, out point),
         _ => PrimitiveSupport.NoVertex(out point),
     };
+
+    /// <summary>The struct measures from its centre, which is not the local origin where one ball holds the
+    /// other.</summary>
+    private int TaperedSupport(in Double3 direction, out Double3 point)
+    {
+        int id = _parts.Curve!.Support(direction, out point);
+        point += _parts.Curve.Center;
+        return id;
+    }
+
+    private bool TryGetTaperedVertex(int id, out Double3 point)
+    {
+        bool found = _parts.Curve!.TryGetVertex(id, out point);
+        point += _parts.Curve.Center;
+        return found;
+    }
 }

@@ -36,6 +36,9 @@ public enum ShapeKind : byte
     /// <summary>A capsule: a segment with a margin.</summary>
     Capsule = 10,
 
+    /// <summary>The hull of two balls on the y axis.</summary>
+    TaperedCapsule = 11,
+
     /// <summary>A shape of the caller's own; no file holds it.</summary>
-    Custom = 11,
+    Custom = 12,
 }

@@ -6,8 +6,8 @@ internal struct ShapeParts
     public ShapeKind Kind;
 
     /// <summary>Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the
-    /// radii. Cylinder and cone: A, the radius and half the height. They are doubles, because a scale may have been
-    /// multiplied in.</summary>
+    /// radii. Cylinder and cone: A, the radius and half the height. Tapered capsule: A, both radii and half the height.
+    /// They are doubles, because a scale may have been multiplied in.</summary>
     public Double3 A, B, C;
 
     /// <summary>What is applied to each support; null where it was multiplied in, or nothing is scaled.</summary>
@@ -20,7 +20,7 @@ internal struct ShapeParts
         set => Scaling = value == new Double3(1, 1, 1) ? null : new ShapeScale(value, default);
     }
 
-    /// <summary>The radius of a sphere or capsule, before the scale.</summary>
+    /// <summary>The radius of a sphere or capsule, the lesser one of a tapered capsule, before the scale.</summary>
     public double InnerMargin;
 
     /// <summary>What the shape was widened by, after the scale.</summary>
@@ -29,7 +29,7 @@ internal struct ShapeParts
     /// <summary>A mesh's hull.</summary>
     public ConvexHull? Hull;
 
-    /// <summary>The shape struct of a kind without corners, made from A; null for the others.</summary>
+    /// <summary>The shape struct of a kind that is kept as one, made from A; null for the others.</summary>
     public ILibraryShape? Curve;
 
     /// <summary>A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind,

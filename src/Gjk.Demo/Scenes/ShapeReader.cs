@@ -19,6 +19,9 @@ internal sealed class ShapeReader
         ["cylinder"] = (["radius", "halfHeight"], s => ConvexShape.Cylinder(s._radius, s._halfHeight)),
         ["cone"] = (["radius", "halfHeight"], s => ConvexShape.Cone(s._radius, s._halfHeight)),
         ["ellipsoid"] = (["radii"], s => ConvexShape.Ellipsoid(s._radii)),
+        ["taperedCapsule"] = (
+            ["topRadius", "bottomRadius", "halfHeight"],
+            s => ConvexShape.TaperedCapsule(s._topRadius, s._bottomRadius, s._halfHeight)),
         ["mesh"] = (["mesh"], _ => default),
         ["surface"] = (["mesh"], _ => default),
         ["compound"] = (["parts"], _ => default),
@@ -32,7 +35,7 @@ internal sealed class ShapeReader
     private readonly HashSet<string> _seen = [];
     private string _type = "";
     private string _mesh = "";
-    private float _radius, _halfHeight;
+    private float _radius, _topRadius, _bottomRadius, _halfHeight;
     private Vector3 _halfExtents, _radii, _a, _b, _c, _position;
     private float _rounding;
     private bool _isSolid;
@@ -120,6 +123,12 @@ internal sealed class ShapeReader
                 break;
             case "radius":
                 _radius = json.NonNegative();
+                break;
+            case "topRadius":
+                _topRadius = json.NonNegative();
+                break;
+            case "bottomRadius":
+                _bottomRadius = json.NonNegative();
                 break;
             case "halfHeight":
                 _halfHeight = json.NonNegative();

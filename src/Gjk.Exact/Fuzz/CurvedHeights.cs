@@ -11,11 +11,13 @@ internal sealed class CurvedHeights
     private readonly ShapeKind _kind;
     private readonly double[] _numbers;
     private readonly Double3 _factors;
+    private readonly double _margin;
 
     public CurvedHeights(in ConvexShape shape)
     {
         ShapeWords words = ShapeWords.Of(shape);
         _kind = shape.Kind;
+        _margin = shape.Margin;
         _numbers = Read(words.Numbers);
         double[] scale = Read(words.Scale);
         _factors = scale.Length == 0 ? new Double3(1, 1, 1) : new Double3(scale[0], scale[1], scale[2]);
@@ -34,6 +36,10 @@ internal sealed class CurvedHeights
                 return Math.Max(_numbers[1] * d.Y, _numbers[0] * Length(d.X, d.Z, 0) - _numbers[1] * d.Y);
             case ShapeKind.Ellipsoid:
                 return Length(_numbers[0] * d.X, _numbers[1] * d.Y, _numbers[2] * d.Z);
+            case ShapeKind.TaperedCapsule:
+                double up = _numbers[2] * d.Y, length = Length(d.X, d.Y, d.Z);
+                double most = Math.Max(up + _numbers[0] * length, _numbers[1] * length - up);
+                return most - _margin * Length(direction.X, direction.Y, direction.Z);
             default:
                 // A segment whose ball became an ellipsoid.
                 double first = _numbers[0] * d.X + _numbers[1] * d.Y + _numbers[2] * d.Z;

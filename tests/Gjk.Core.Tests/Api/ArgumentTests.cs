@@ -95,6 +95,12 @@ public class ArgumentTests
         Refused(NotASize, "halfHeight", Size, x => new ConeShape(1, x));
         Refused(NotASize, "radius", Size, x => ConvexShape.Cone(x, 1));
         Refused(NotASize, "halfHeight", Size, x => ConvexShape.Cone(1, x));
+        Refused(NotASize, "topRadius", Size, x => new TaperedCapsuleShape(x, 1, 1));
+        Refused(NotASize, "bottomRadius", Size, x => new TaperedCapsuleShape(1, x, 1));
+        Refused(NotASize, "halfHeight", Size, x => new TaperedCapsuleShape(1, 1, x));
+        Refused(NotASize, "topRadius", Size, x => ConvexShape.TaperedCapsule(x, 1, 1));
+        Refused(NotASize, "bottomRadius", Size, x => ConvexShape.TaperedCapsule(1, x, 1));
+        Refused(NotASize, "halfHeight", Size, x => ConvexShape.TaperedCapsule(1, 1, x));
         Refused(NotASize, "radius", Size, x => new Rounded<PointShape>(default, x));
     }
 

@@ -85,7 +85,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Minkowski"] = 357,
         ["Queries"] = 1461,
         ["Queries/Rays"] = 572,
-        ["Shapes"] = 893,
+        ["Shapes"] = 982,
         ["Simplex"] = 903,
         ["Solvers"] = 614,
         ["Solvers/Depth"] = 1255,

@@ -91,6 +91,29 @@ public class RoundContactTests
         Assert.Equal(5, Vector3.Distance(m[0].PointA, m[1].PointA), 1e-5f);
     }
 
+    /// <summary>The side of a tapered capsule ends where it touches its balls, 4 apart here; on a ball it stands on one
+    /// point.</summary>
+    [Theory]
+    [InlineData(1, 4)]
+    [InlineData(4, 1)]
+    [InlineData(0, 3)]
+    public void ATaperedCapsuleLiesOnALineAndStandsOnAPoint(float top, float bottom)
+    {
+        ConvexShape shape = ConvexShape.TaperedCapsule(top, bottom, 2.5f);
+        var lying = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2 - MathF.Asin((top - bottom) / 5));
+        ContactManifold m = OnSlab(shape, Lowered(shape, lying));
+        Assert.Equal(2, m.Count);
+        Assert.Equal(4, Vector3.Distance(m[0].PointA, m[1].PointA), 1e-5f);
+        Assert.All(Points(m), p => Assert.Equal(-Depth, p.Gap, 1e-6f));
+        foreach (float tilt in new[] { 0, 0.3f, -0.3f, MathF.PI })
+        {
+            var standing = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, tilt);
+            m = OnSlab(shape, Lowered(shape, standing));
+            Assert.Equal(1, m.Count);
+            Assert.Equal(-Depth, m[0].Gap, 1e-6f);
+        }
+    }
+
     /// <summary>What shows no face has one point, and so has what is too far away none.</summary>
     [Fact]
     public void RoundShapesTouchInOnePointAndDistantOnesInNone()

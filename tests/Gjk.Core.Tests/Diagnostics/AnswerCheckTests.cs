@@ -12,7 +12,8 @@ public class AnswerCheckTests
 
     public static TheoryData<string> Casts => [.. CastFamily.Names];
 
-    public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull", "made", "madeFarOff", "madeUneven"];
+    public static TheoryData<string> Kinds =>
+        [.. Generators.AllKinds, .. Generators.LaterKinds, "bigHull", "made", "madeFarOff", "madeUneven"];
 
     [Theory]
     [MemberData(nameof(Families))]

@@ -7,7 +7,7 @@ public class AllocationTests
 {
     private const int Pairs = 100;
 
-    public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull"];
+    public static TheoryData<string> Kinds => [.. Generators.AllKinds, .. Generators.LaterKinds, "bigHull"];
 
     [Theory]
     [MemberData(nameof(Kinds))]

@@ -6,7 +6,7 @@ namespace Gjk.Core.Tests.Queries;
 /// pairs.</summary>
 public class CertifiedPairTests
 {
-    public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull"];
+    public static TheoryData<string> Kinds => [.. Generators.AllKinds, .. Generators.LaterKinds, "bigHull"];
 
     [Theory]
     [MemberData(nameof(Kinds))]

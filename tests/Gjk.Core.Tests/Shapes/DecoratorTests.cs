@@ -99,12 +99,17 @@ public class DecoratorTests
         Same(new CylinderShape(0.3f, 0.7f), ConvexShape.Cylinder(0.3f, 0.7f));
         Same(new ConeShape(0.3f, 0.7f), ConvexShape.Cone(0.3f, 0.7f));
         Same(new EllipsoidShape(new Vector3(0.3f, 0.7f, 1.1f)), ConvexShape.Ellipsoid(new Vector3(0.3f, 0.7f, 1.1f)));
+        foreach (var (top, bottom) in new[] { (0.3f, 0.5f), (0.5f, 0.3f), (0.3f, 0.3f), (0.1f, 2), (2, 0.1f), (0, 1) })
+            Same(new TaperedCapsuleShape(top, bottom, 0.7f), ConvexShape.TaperedCapsule(top, bottom, 0.7f));
         Same(new ConvexMesh(hull), ConvexShape.Mesh(hull));
         var scale = new Vector3(0.7f, -1.3f, 2.1f);
         Same(new Scaled<ConvexMesh>(new ConvexMesh(hull), scale), ConvexShape.Mesh(hull).Scaled(scale));
         Same(
             new Scaled<CylinderShape>(new CylinderShape(0.3f, 0.7f), scale),
             ConvexShape.Cylinder(0.3f, 0.7f).Scaled(scale));
+        Same(
+            new Scaled<TaperedCapsuleShape>(new TaperedCapsuleShape(0.3f, 0.1f, 0.7f), scale),
+            ConvexShape.TaperedCapsule(0.3f, 0.1f, 0.7f).Scaled(scale));
         Same(
             new Scaled<CapsuleShape>(new CapsuleShape(0.3f, 0.7f), scale),
             ConvexShape.Capsule(0.3f, 0.7f).Scaled(scale));

@@ -14,8 +14,12 @@ public class ShapeSizeTests
         Same(ConvexShape.Cone(2, 3), 2, 3, default);
         Same(ConvexShape.Box(new Vector3(1, 2, 3)), 0, 0, new Vector3(1, 2, 3));
         Same(ConvexShape.Ellipsoid(new Vector3(1, 2, 3)), 0, 0, new Vector3(1, 2, 3));
+        Same(ConvexShape.TaperedCapsule(1, 2, 3), 0, 3, default);
         Same(ConvexShape.Mesh([Vector3.One]), 0, 0, default);
         Same(default, 0, 0, default);
+        ConvexShape tapered = ConvexShape.TaperedCapsule(1, 2, 3).Placed(Pose).Scaled(new Vector3(1, 2, 3));
+        Assert.Equal((1, 2), (tapered.TopRadius, tapered.BottomRadius));
+        Assert.Equal((0, 0), (ConvexShape.Capsule(1, 2).TopRadius, ConvexShape.Capsule(1, 2).BottomRadius));
         Assert.Equal(0.5f, ConvexShape.Box(Vector3.One).Placed(Pose).Rounded(0.5f).Rounding);
     }
 

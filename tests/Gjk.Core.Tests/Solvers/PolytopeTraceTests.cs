@@ -11,7 +11,7 @@ public class PolytopeTraceTests
 
     public static TheoryData<string> Families => [.. CaseFamily.DepthNames, .. CaseFamily.Names];
 
-    public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull"];
+    public static TheoryData<string> Kinds => [.. Generators.AllKinds, .. Generators.LaterKinds, "bigHull"];
 
     [Theory]
     [MemberData(nameof(Families))]

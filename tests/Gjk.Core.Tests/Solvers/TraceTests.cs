@@ -10,7 +10,7 @@ public class TraceTests
 
     public static TheoryData<string> Families => [.. CaseFamily.Names];
 
-    public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull"];
+    public static TheoryData<string> Kinds => [.. Generators.AllKinds, .. Generators.LaterKinds, "bigHull"];
 
     [Theory]
     [MemberData(nameof(Families))]

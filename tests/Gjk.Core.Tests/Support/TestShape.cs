@@ -63,6 +63,15 @@ internal sealed class TestShape
 
     public static TestShape Ellipsoid(Vector3 r) => Curved($"Ellipsoid({T(r)})", ConvexShape.Ellipsoid(r), r);
 
+    public static TestShape TaperedCapsule(float top, float bottom, float h)
+    {
+        double wide = Math.Max(top, bottom), least = -Math.Max(bottom + (double)h, top - (double)h);
+        double most = Math.Max(top + (double)h, bottom - (double)h);
+        return Curved(
+            $"TaperedCapsule({T(top)}, {T(bottom)}, {T(h)})", ConvexShape.TaperedCapsule(top, bottom, h),
+            new(wide, (most - least) / 2, wide));
+    }
+
     /// <summary>A shape with a curved core and no margin, and half the sides of its local bounding box.</summary>
     public static TestShape Curved(string text, in ConvexShape shape, in Double3 half) =>
         new($"ConvexShape.{text}", shape, null, 0, half * 2);
@@ -80,7 +89,7 @@ internal sealed class TestShape
             : new Double3(1, 1, 1) * (LongestSide * largest);
         double margin = polytope ? Margin * factors.X : Margin * (even ? factors.X : 0);
         bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone
-            || (Shape.Kind == ShapeKind.Capsule && !even);
+            or ShapeKind.TaperedCapsule || (Shape.Kind == ShapeKind.Capsule && !even);
         ConvexShape scaled = Shape.Scaled(s);
         double reach = keepsFactors ? Reach * largest : scaled.BoundingRadius;
         return new(text, scaled, vertices, margin, extent) { Reach = reach };

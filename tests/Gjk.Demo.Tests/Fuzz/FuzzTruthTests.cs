@@ -92,6 +92,9 @@ public sealed class FuzzTruthTests
     [InlineData("cone 0.5 2 0")]
     [InlineData("cone 0.5 2 0 * 3 -1 0.25")]
     [InlineData("ellipsoid 0.5 2 1.25")]
+    [InlineData("taperedcapsule 0.5 0.25 1")]
+    [InlineData("taperedcapsule 0.5 2 1 * 2 -2 2")]
+    [InlineData("taperedcapsule 0.5 0.25 1 * 3 -1 0.25")]
     [InlineData("segment 0 1 0 0 -1 0 0.5 * 1 2 3")]
     public void CurvedHeightsAreThoseOfTheShape(string shape)
     {

@@ -16,7 +16,7 @@ public sealed class SceneFormatTests
     [
         .. Enum.GetNames<ShapeKind>()
             .Except([nameof(ShapeKind.None), nameof(ShapeKind.Custom)])
-            .Select(kind => kind.ToLowerInvariant()),
+            .Select(kind => char.ToLowerInvariant(kind[0]) + kind[1..]),
     ];
 
     private static readonly string[] ShapeTypes = [.. ConvexTypes, "surface", "compound"];

@@ -25,6 +25,9 @@ public sealed class SceneTests
         { """{"type":"box","halfExtents":[1,2,3]}""", ""","scale":[2,1,1]""", 8 },
         { """{"type":"box","halfExtents":[1,2,3]}""", ""","scale":-3,"position":[1,0,0]""", 6 },
         { """{"type":"cylinder","radius":1.5,"halfHeight":2}""", "", 8.5 },
+        {
+            """{"type":"taperedCapsule","topRadius":2,"bottomRadius":1,"halfHeight":1}""", ""","position":[0,-1,0]""", 8
+        },
         { """{"type":"cone","radius":2,"halfHeight":1}""", ""","position":[0,1,0]""", 8 },
         { """{"type":"cone","radius":2,"halfHeight":1}""", ""","rotation":[0,0,-0.70710678,0.70710678]""", 9 },
         { """{"type":"ellipsoid","radii":[4,1,1]}""", "", 6 },

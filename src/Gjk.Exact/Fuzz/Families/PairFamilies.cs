@@ -33,6 +33,8 @@ internal static class PairFamilies
         new("the whole range", 4, RangeFamilies.WholeRange),
         new("ratios", 4, RangeFamilies.Ratios),
         new("distances", 4, RangeFamilies.Distances),
+        new("tapered capsules", 4, r => Placement.Near(
+            r, Shapes.Tapered(r), r.OneIn(2) ? Shapes.Tapered(r) : Shapes.Any(r))),
     ];
 
     private static readonly int Weights = All.Sum(f => f.Weight);

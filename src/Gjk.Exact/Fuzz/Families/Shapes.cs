@@ -62,6 +62,15 @@ internal static class Shapes
         _ => ConvexShape.Cone(random.Float(0.1, 1), random.Float(0.1, 1)).Scaled(random.Factors(0.2, 2)),
     };
 
+    /// <summary>With unequal balls, and now and then with equal ones, or one that the other holds.</summary>
+    public static FuzzShape Tapered(FuzzRandom random)
+    {
+        float top = random.Float(0, 0.7), bottom = random.OneIn(6) ? top : random.Float(0, 0.7);
+        float half = random.OneIn(3) ? MathF.Abs(top - bottom) / 2 : random.Float(0, 1);
+        ConvexShape tapered = ConvexShape.TaperedCapsule(top, bottom, half);
+        return random.OneIn(3) ? tapered.Scaled(random.Factors(0.2, 2)) : tapered;
+    }
+
     /// <summary>Of about a size, without a scale.</summary>
     public static FuzzShape Curved(FuzzRandom random, float size) => random.Below(3) switch
     {

@@ -55,6 +55,8 @@ internal static class TypedShapesGiveTheSameBits
                 return Compare(new CylinderShape(n[0], n[1]), pose, other, otherPose, expected, name);
             case ShapeKind.Cone:
                 return Compare(new ConeShape(n[0], n[1]), pose, other, otherPose, expected, name);
+            case ShapeKind.TaperedCapsule:
+                return Compare(new TaperedCapsuleShape(n[0], n[1], n[2]), pose, other, otherPose, expected, name);
             case ShapeKind.Ellipsoid:
                 var ellipsoid = new EllipsoidShape(new Vector3(n[0], n[1], n[2]));
                 return Compare(ellipsoid, pose, other, otherPose, expected, name);

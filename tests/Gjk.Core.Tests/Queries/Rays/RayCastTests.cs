@@ -7,7 +7,8 @@ public class RayCastTests
 {
     private static readonly RigidPose Here = RigidPose.Identity;
 
-    public static TheoryData<string> Kinds => [.. Generators.AllKinds, "bigHull", "made", "madeFarOff", "madeUneven"];
+    public static TheoryData<string> Kinds =>
+        [.. Generators.AllKinds, .. Generators.LaterKinds, "bigHull", "made", "madeFarOff", "madeUneven"];
 
     [Theory]
     [InlineData(0, 0, 4)]

@@ -16,6 +16,8 @@ public class RaySameBitsTests
         Same(new CylinderShape(0.4f, 0.7f), ConvexShape.Cylinder(0.4f, 0.7f));
         Same(new ConeShape(0.4f, 0.7f), ConvexShape.Cone(0.4f, 0.7f));
         Same(new EllipsoidShape(Half), ConvexShape.Ellipsoid(Half));
+        Same(new TaperedCapsuleShape(0.4f, 0.2f, 0.7f), ConvexShape.TaperedCapsule(0.4f, 0.2f, 0.7f));
+        Same(new TaperedCapsuleShape(0.4f, 0.4f, 0.7f), ConvexShape.Capsule(0.4f, 0.7f));
         Vector3 a = new(-1, 0.1f, 0.2f), b = new(0.9f, 0.8f, 0), c = new(0.1f, -0.8f, 1);
         Same(new TriangleShape(a, b, c), ConvexShape.Triangle(a, b, c));
         Same(new SegmentShape(a, b), ConvexShape.Segment(a, b));

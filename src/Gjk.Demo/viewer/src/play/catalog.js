@@ -25,6 +25,10 @@ export const KINDS = {
   cylinder: upright('cylinder'),
   cone: upright('cone'),
   ellipsoid: extents('ellipsoid'),
+  'tapered capsule': {
+    fields: [['top radius', 0.3], ['bottom radius', 0.6], ['half height', 0.6]],
+    words: ([top, bottom, h]) => `taperedcapsule ${top} ${bottom} ${h}`,
+  },
   'convex mesh': { fields: [], words: () => `mesh ${gem.length} ${gem.flat().map(Math.fround).join(' ')}` },
   triangle: {
     fields: [...corner('a', [-0.8, -0.5, 0]), ...corner('b', [0.9, -0.4, 0]), ...corner('c', [0, 0.9, 0.2])],

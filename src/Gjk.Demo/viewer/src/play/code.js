@@ -46,6 +46,7 @@ function coreCode(kind, n) {
     case 'ellipsoid': return `ConvexShape.Ellipsoid(${vector(a)})`;
     case 'cylinder': return `ConvexShape.Cylinder(${list(a.slice(0, 2))})`;
     case 'cone': return `ConvexShape.Cone(${list(a.slice(0, 2))})`;
+    case 'taperedcapsule': return `ConvexShape.TaperedCapsule(${list(a)})`;
     default: return `ConvexShape.Mesh(new Vector3[]\n{\n${corners(n.slice(1))}})`;
   }
 }
