@@ -8,6 +8,10 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
+case ${1:-} in
+  -h | --help) sed -n '2,7s/^# \{0,1\}//p' run.sh; exit 0 ;;
+esac
+
 sample=()
 if [ "${GJK_LONG:-}" != 1 ]; then sample=(--sample 300); fi
 dotnet build -c Release -v quiet ../Gjk.Core.Tests/Gjk.Core.Tests.csproj -p:RunAnalyzers=false

@@ -50,7 +50,7 @@ public readonly struct CastHit : IComparable<CastHit>
     public int CompareTo(CastHit other)
     {
         int order = Result.Order.CompareTo(other.Result.Order);
-        if (order == 0) order = Feature.CompareTo(other.Feature);
+        if (order == 0) order = (int)Feature - (int)other.Feature;
         if (order == 0) order = Id.CompareTo(other.Id);
         if (order == 0) order = PartA.CompareTo(other.PartA);
         return order != 0 ? order : PartB.CompareTo(other.PartB);

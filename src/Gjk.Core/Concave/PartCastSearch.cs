@@ -288,7 +288,7 @@ internal struct PartCastSearch
     private bool Take(in ContactOrder found, MetFeature feature, int partA, int partB)
     {
         int order = PartA < 0 ? -1 : found.CompareTo(_best);
-        if (order == 0) order = feature.CompareTo(Feature);
+        if (order == 0) order = (int)feature - (int)Feature;
         if (order == 0) order = partA.CompareTo(PartA);
         if (order == 0) order = partB.CompareTo(PartB);
         if (order >= 0) return false;

@@ -81,7 +81,7 @@ internal static class SeamContacts
         {
             PairContacts one = contacts[i];
             if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
-            else if (one.Result.Distance <= ContactCone.Slack) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
+            else if (AreLevel(one.Result, isA)) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
@@ -96,11 +96,16 @@ internal static class SeamContacts
             FaceContact face = faces[i];
             bool isAtJoint = IsAtJoint(scratch, isA, face.Contact);
             if (!IsCovered(scratch, side, isA, face.Contact, isAtJoint)) faces[kept++] = face;
-            else if (face.Own <= ContactCone.Slack) scratch.Orphans.Add(face);
+            else if (AreLevel(face.Contact.Result, isA)) scratch.Orphans.Add(face);
         }
 
         faces.RemoveRange(kept, faces.Count - kept);
     }
+
+    /// <summary>Whether two parts overlap, or are so near that each of two sides may seem behind the other.</summary>
+    private static bool AreLevel(in DistanceResult result, bool isA) =>
+        result.Distance <= 4 * CoveredSides.Room * ((Double3)(isA ? result.LocalPointA : result.LocalPointB))
+            .SumOfMagnitudes;
 
     /// <summary>Whether another part of its body goes on where a contact is.</summary>
     /// <param name="scratch">With both sides.</param>

@@ -199,6 +199,27 @@ public class BruteForceTests
             }));
     }
 
+    /// <summary>Parts that are met at once are compared by more than the fraction.</summary>
+    [Fact]
+    public void PartsThatAreMetAtOnceAllocateNothing()
+    {
+        var body = AnyShape.Of(ConvexShape.Box(new Vector3(0.5f)));
+        RigidPose above = new(new Vector3(1.5f, 3, 1.5f));
+        var turning = new RigidMotion(above, new Vector3(0, -4, 0), new Vector3(0, 1, 0));
+        var still = new RigidMotion(RigidPose.Identity, Vector3.Zero);
+        foreach (string name in new[] { "tiles", "plate" })
+        {
+            AnyShape floor = Floors.Named(name);
+            long allocated = Allocation.Least(() =>
+            {
+                Assert.True(ConcaveQuery.Cast(
+                    body, above, new Vector3(0, -4, 0), floor, RigidPose.Identity, Vector3.Zero, _scratch).IsHit);
+                ConcaveQuery.TimeOfImpact(body, turning, floor, still, _scratch);
+            });
+            Assert.Equal(0, allocated);
+        }
+    }
+
     /// <summary>Of equals the first in the order of the parts stays.</summary>
     private static bool IsBefore(in CastResult one, in CastResult other) => one.Order.CompareTo(other.Order) < 0;
 

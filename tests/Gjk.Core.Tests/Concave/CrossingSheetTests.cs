@@ -30,6 +30,21 @@ public class CrossingSheetTests
         Assert.NotEmpty(Find(book, new RigidPose(turn, Vector3.Zero), AnyShape.Of(ConvexShape.Point()), at));
     }
 
+    /// <summary>Within the room in which sides count as level each of two faces is behind the other.</summary>
+    [Fact]
+    public void APointJustAboveAFoldHasAContact()
+    {
+        var fold = AnyShape.Surface(new TriangleMesh(
+            [
+                new(-0.23038092f, 0.5977437f, 1.0093647f), new(-0.84814477f, 0.54350007f, 0.408445f),
+                new(-0.48967662f, 0.9413697f, 0.23581584f), new(-0.22252093f, 6.123234E-17f, 0.9749279f),
+            ],
+            [0, 1, 2, 0, 3, 1]));
+        var pose = new RigidPose(new Vector3(-0.31479412f, -0.47344813f, -0.36022085f));
+        var at = new RigidPose(new Vector3(-0.5451714f, 0.12429455f, 0.64913964f));
+        Assert.NotEmpty(Find(fold, pose, AnyShape.Of(ConvexShape.Point()), at));
+    }
+
     private static AnyShape Book(params Vector3[] leaves) => AnyShape.Surface(new TriangleMesh(
         [Vector3.Zero, Vector3.UnitY, .. leaves],
         [.. Enumerable.Range(0, leaves.Length).SelectMany(i => i < 2 ? new[] { 0, 1, 2 + i } : [2 + i, 1, 0])]));

@@ -33,6 +33,12 @@ public sealed class FuzzJudgeTests
         "gjk1 box 0 0.40000000000000002 0.5 @ 0 0 0 1 0 -0.5 2 ~ 3.99999994E-17 0 1 0 0 0"
         + " cylinder 0 0 0 @ 0 0 0 1 0 -0.899999976 3")));
 
+    /// <summary>A point grazes the rim of a disc within its plane, which it leaves by less than a rounding.</summary>
+    [Fact]
+    public void APointThatGrazesADiscMisses() => Assert.Null(CastProof.Broken(Of(
+        "gjk1 point 0 @ 0 0 0 1 -2 -1 -0.5 ~ 1.1257683 3.99999994E-17 1.61676168 0 0 0"
+        + " cylinder 0.5 0 0 @ 0 0 0 1 -2 -1 0.375")));
+
     /// <summary>A depth below half the least float is a touch.</summary>
     [Fact]
     public void ADepthBelowTheFloatsIsATouch() => Assert.Null(CastProof.Broken(Of(

@@ -106,12 +106,15 @@ internal static class ContactsOfParts
     }
 
     /// <summary>Whether a found contact lifts two parts half the way along their own, or all points of their own are
-    /// on or behind its plane, by no more than it pushes the other body out: such a side may be covered.</summary>
+    /// on or behind its plane, by no more than it pushes the other body out: such a side may be covered. Which side of
+    /// each other two triangles are on that touch in one plane is arbitrary.</summary>
     private static bool IsHeld(ConcavePair pair, List<PairContacts> found, float own, in ContactManifold contact)
     {
+        bool isEitherWay = own == 0 && pair.RawA.Triangles is not null && pair.RawB.Triangles is not null;
         foreach (PairContacts one in found)
         {
             float along = Vector3.Dot(one.Manifold.Normal, contact.Normal);
+            if (isEitherWay) along = Math.Abs(along);
             if (along > Lifting && along * Math.Max(-one.Result.Distance, 0) >= -own / 2) return true;
             if (Buries(pair, one.Manifold, contact)) return true;
         }

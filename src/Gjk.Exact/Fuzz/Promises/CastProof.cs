@@ -80,7 +80,8 @@ internal static class CastProof
         Moment least = pair.Sweep.Least(from, to);
         double graze = Grazing(pair, to);
         if (least.AtLeast > -graze) return null;
-        foreach (Double3 n in (ReadOnlySpan<Double3>)[least.Normal, hint, WayOut(pair, least.Fraction)])
+        foreach (Double3 n in (ReadOnlySpan<Double3>)
+            [least.Normal, hint, WayOut(pair, least.Fraction), .. Axes(pair.PoseA), .. Axes(pair.PoseB)])
         {
             double length = n.Length;
             if (!(length > 0)) continue;
@@ -101,6 +102,14 @@ internal static class CastProof
         bool Separates(in Double3 unit) =>
             unit.LengthSquared > 0
             && Math.Min(pair.Sweep.Gap(unit, from), pair.Sweep.Gap(unit, to)) > -graze;
+    }
+
+    /// <summary>What is flat is left along its own axis.</summary>
+    private static Double3[] Axes(in RigidPose pose)
+    {
+        Quaternion turn = pose.Rotation;
+        return [.. new[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ }
+            .Select(axis => (Double3)Vector3.Transform(axis, turn))];
     }
 
     /// <summary>Where the library says that B leaves A soonest at a fraction; zero where it says that they are apart.
