@@ -68,8 +68,12 @@ internal static class ContactsOfParts
 
         // A corner that a neighbour climbs to is named by these parts, too, beside their own.
         bool isThere = found.Exists(other => pair.IndexOf(other.PartA, other.PartB) == i && IsOwn(other));
+        double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
+        double size = pair.ScaleOf(a, b) + place;
+        bool isElsewhere = Vector3.Cross(normal, manifold.Normal).Length() <= Straight
+            && Math.Abs(one.Result.Distance - part.Distance) > Beside * size;
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-            && !IsHeld(pair, found, part.Distance, manifold))
+            && (isElsewhere || !IsHeld(pair, found, part.Distance, manifold)))
         {
             return Say.Line($"the parts say {part}, {manifold.Count} points");
         }
@@ -77,8 +81,6 @@ internal static class ContactsOfParts
         bool isAlong = Along(pair.RawA, a, pair.PoseA, normal) || Along(pair.RawB, b, pair.PoseB, normal);
         if (!(isAlong || pair.HasSolid || IsClimbed(pair, normal, gap)))
             return Say.Line($"neither along a face nor what the parts say: {part}, {manifold.Count} points");
-        double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
-        double size = pair.ScaleOf(a, b) + place;
         for (int k = 0; k < one.Manifold.Count; k++)
         {
             ManifoldPoint point = one.Manifold[k];
