@@ -16,7 +16,6 @@ public partial class ResultFigureTests
         ["samples/EnterExit/README.md"] = "what the sample prints",
         ["samples/NearestObstacle/README.md"] = "what the sample prints",
         ["src/Gjk.Web/npm/README.md"] = "a query on WebAssembly",
-        ["unity/com.gjk.core/Documentation~/index.md"] = "a query on Mono",
     };
 
     public static TheoryData<string> PagesWithResults => [.. ResultBlocks.Pages];
