@@ -114,7 +114,7 @@ CONFIG
 run_readme Gjk.Core
 has_line "$work/Gjk.Core.app/run.log" 'Separated: 1.25 from <0.5, '
 has_line "$work/Gjk.Core.app/run.log" ': they touch'
-has_line "$work/Gjk.Core.app/run.log" '(0, 1), parts 0 and 0: Separated, 0.25 from '
+has_line "$work/Gjk.Core.app/run.log" '(0, 1): Separated, 0.25 from '
 run_readme Gjk.Import
 has_line "$work/Gjk.Import.app/run.log" 'left, right: 2'
 

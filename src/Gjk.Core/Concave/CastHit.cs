@@ -57,6 +57,5 @@ public readonly struct CastHit : IComparable<CastHit>
     }
 
     /// <summary>The object, the parts and the result, for people to read.</summary>
-    public override string ToString() =>
-        FormattableString.Invariant($"{Id}, parts {PartA} and {PartB}: {Result}");
+    public override string ToString() => HitText.Of(Id, PartA, PartB) + Result;
 }

@@ -41,5 +41,5 @@ public readonly struct RayHit : IComparable<RayHit>
     }
 
     /// <summary>The object, the part and the result, for people to read.</summary>
-    public override string ToString() => FormattableString.Invariant($"{Id}, part {Part}: {Result}");
+    public override string ToString() => HitText.Of(Id, Part) + Result;
 }

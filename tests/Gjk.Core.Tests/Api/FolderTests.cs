@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 119,
         ["Batch"] = 166,
         ["BroadPhase"] = 861,
-        ["Concave"] = 2535,
+        ["Concave"] = 2555,
         ["Concave/Trees"] = 632,
         ["Contacts"] = 972,
         ["Cores"] = 542,

@@ -228,6 +228,7 @@ public class PlacedTests
             new SphereShape(1), RigidPose.Identity, new SphereShape(1), new RigidPose(new Vector3(3, 0, 0)));
         Assert.Equal("Separated, 1 from <1, 0, 0> to <2, 0, 0>", r.ToString());
         Assert.Equal("(0, 0), parts 0 and 0: None", default(PairDistance).ToString());
+        Assert.Equal("(0, 1): None", new PairDistance(default, -1, -1, new ObjectPair(0, 1)).ToString());
     }
 
     private static IEnumerable<ConvexShape> Decorated()
