@@ -5,8 +5,8 @@ namespace Gjk.Core;
 /// <remarks>Cores are unwrapped first: what is read right after it was written waits for it, and the frame takes its
 /// time. The frame is that of the cores, in their own axes, so below it nothing knows of placements. Each pair of cores
 /// has a method of its own, whose frame holds no more than these two. Ahead-of-time compilers make them all, some
-/// megabytes of code; so for netstandard two of a kind are unwrapped, and others are solved as they are; the bits are
-/// the same.</remarks>
+/// megabytes of code; so for netstandard two boxes or two capsules are unwrapped, and others are solved as they are,
+/// with the same bits.</remarks>
 internal static class PairQuery
 {
     /// <summary>The distance, written where it is to be: for arrays of results.</summary>
@@ -62,7 +62,7 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
     where TSolver : struct, IPairSolver<TResult>
 {
     /// <summary>Solves a pair of two cores, if both have one.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    [MethodImpl(Jit.Step)]
     public static bool TryCores(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, ref TResult result)
 #if NET
@@ -97,8 +97,6 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
             FormKind.Box => SolveCores<BoxCore, BoxCore>(ref a, poseA, ref b, poseB, ref solver, out result),
             FormKind.Segment =>
                 SolveCores<SegmentCore, SegmentCore>(ref a, poseA, ref b, poseB, ref solver, out result),
-            FormKind.Triangle =>
-                SolveCores<TriangleCore, TriangleCore>(ref a, poseA, ref b, poseB, ref solver, out result),
             _ => false,
         };
     }
