@@ -12,7 +12,7 @@ internal static class Uncleared
 #if NET
         Unsafe.SkipInit(out value);
 #else
-#pragma warning disable CS8500
+#pragma warning disable CS8500 // Nothing goes through the pointer.
         fixed (T* same = &value)
         {
         }

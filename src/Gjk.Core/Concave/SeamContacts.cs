@@ -4,6 +4,11 @@ namespace Gjk.Core;
 /// bodies end there; else along a triangle's face, if the pair needs a contact.</summary>
 internal static class SeamContacts
 {
+    /// <summary>Count of <see cref="CoveredSides.Room"/>: planes that are across each other cross at 26 degrees or
+    /// more, so what is within a room of both is within 2.3 of where they cross; the rest is what turning makes of a
+    /// sum of magnitudes, at most the root of 3. CrossingSheetTests has a point that needs some of it.</summary>
+    private const double Level = 4;
+
     /// <summary>Finds the contact of two parts, or what may stand for it.</summary>
     /// <param name="scratch">With both sides and all pairs; gets the contacts of faces, and the orphans: pairs that
     /// overlap and have neither, with what would hold them.</param>
@@ -104,7 +109,7 @@ internal static class SeamContacts
 
     /// <summary>Whether two parts overlap, or are so near that each of two sides may seem behind the other.</summary>
     private static bool AreLevel(in DistanceResult result, bool isA) =>
-        result.Distance <= 4 * CoveredSides.Room * ((Double3)(isA ? result.LocalPointA : result.LocalPointB))
+        result.Distance <= Level * CoveredSides.Room * ((Double3)(isA ? result.LocalPointA : result.LocalPointB))
             .SumOfMagnitudes;
 
     /// <summary>Whether another part of its body goes on where a contact is.</summary>

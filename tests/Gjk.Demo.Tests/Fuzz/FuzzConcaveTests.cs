@@ -1,4 +1,5 @@
 using Gjk.Core;
+using Gjk.Core.Tests.Support;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Support;
 using Gjk.Exact.Fuzz;
@@ -42,8 +43,8 @@ public sealed class FuzzConcaveTests
     [Fact]
     public void ALostTriangleIsNoticed()
     {
-        int lost = 0, seen = 0;
-        for (long i = 0; lost < 10; i++)
+        int lost = 0, seen = 0, count = Budget.Whole(30);
+        for (long i = 0; lost < count; i++)
         {
             ConcavePair pair = ConcaveFamilies.Draw(5, i, out _);
             bool isClear = pair.RawA is { Triangles.Count: > 1, IsSolid: false } && pair.Answer.PartA >= 0

@@ -107,9 +107,8 @@ internal static class CastProof
     /// <summary>What is flat is left along its own axis.</summary>
     private static Double3[] Axes(in RigidPose pose)
     {
-        Quaternion turn = pose.Rotation;
-        return [.. new[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ }
-            .Select(axis => (Double3)Vector3.Transform(axis, turn))];
+        var turn = new ApproximateRotation(pose.Rotation);
+        return [turn.Rotate(new(1, 0, 0)), turn.Rotate(new(0, 1, 0)), turn.Rotate(new(0, 0, 1))];
     }
 
     /// <summary>Where the library says that B leaves A soonest at a fraction; zero where it says that they are apart.
