@@ -32,10 +32,11 @@ internal sealed class PartSide
 
     public bool IsConvex => Mesh is null && Compound is null;
 
-    /// <returns>False where the shape or the pose is a <c>default</c> struct.</returns>
+    /// <returns>False where the shape or the pose is a <c>default</c> struct, or the shape a half-space.</returns>
     public bool TrySet(in AnyShape shape, in RigidPose pose)
     {
         if (shape.Kind == AnyShapeKind.None || !pose.IsValid) return false;
+        if (AnyShape.ConvexOf(shape).Kind == ShapeKind.HalfSpace) return false;
         Pose = pose;
         Mesh = shape.Mesh;
         Compound = shape.Compound;

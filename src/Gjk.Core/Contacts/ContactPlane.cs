@@ -36,6 +36,10 @@ internal struct ContactPlane
         Size = state.Size.Value;
     }
 
+    /// <summary>The same where A's centre is the deepest point.</summary>
+    public void Set(in Double3 normal, double coreDistance, double size) =>
+        (Normal, OnA, CoreDistance, Size) = (normal, default, coreDistance, size);
+
     /// <summary>Whether no deepest point is known along the normal.</summary>
     public readonly bool IsOpen => double.IsNegativeInfinity(CoreDistance);
 

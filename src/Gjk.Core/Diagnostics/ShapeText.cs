@@ -73,6 +73,8 @@ internal static class ShapeText
 
     private static ConvexShape Rounded(RecordReader words, in ConvexShape shape)
     {
+        ConvexShape inner = shape;
+        if (shape.Kind == ShapeKind.HalfSpace) return words.Build(() => inner.Rounded(words.Float()));
         ShapeParts parts = shape.Parts;
         parts.Rounding += words.Number();
         if (parts.Rounding < 0) throw words.Wrong("should not be negative");
@@ -86,7 +88,8 @@ internal static class ShapeText
         Double3 factors = words.Vector();
         if (factors.X == 0 || factors.Y == 0 || factors.Z == 0) throw words.Wrong("ends a scale with a factor of 0");
         ConvexShape inner = shape;
-        if (shape.IsDecorated) return words.Build(() => inner.Scaled((Vector3)factors));
+        if (shape.IsDecorated || shape.Kind == ShapeKind.HalfSpace)
+            return words.Build(() => inner.Scaled((Vector3)factors));
         ShapeParts parts = shape.Parts;
         parts.Scale = Double3.Multiply(parts.Scale, factors);
         return new ConvexShape(parts);
@@ -105,7 +108,7 @@ internal static class ShapeText
                 Add(text, p.B);
                 Add(text, p.InnerMargin);
                 break;
-            case ShapeKind.Triangle:
+            case ShapeKind.Triangle or ShapeKind.HalfSpace:
                 Add(text, p.A);
                 Add(text, p.B);
                 Add(text, p.C);
@@ -138,6 +141,12 @@ internal static class ShapeText
                 p.A = words.Vector();
                 p.B = words.Vector();
                 p.C = words.Vector();
+                break;
+            case ShapeKind.HalfSpace:
+                p.A = words.Vector();
+                p.B = words.Vector();
+                p.C = words.Vector();
+                if (p.A == default) throw words.Wrong("ends a half-space without a normal");
                 break;
             case ShapeKind.Mesh:
                 p.Hull = ReadCorners(words);

@@ -12,6 +12,9 @@ internal static class Guard
     public static Vector3 Finite(Vector3 v, string name) =>
         IsFinite(v) ? v : throw new ArgumentOutOfRangeException(name, v, "Every component must be finite.");
 
+    public static float Finite(float x, string name) =>
+        IsFinite(x) ? x : throw new ArgumentOutOfRangeException(name, x, "Must be finite.");
+
     public static float NonNegative(float x, string name) =>
         IsFinite(x) && x >= 0 ? x : throw new ArgumentOutOfRangeException(name, x, "Must be finite and not negative.");
 

@@ -98,6 +98,24 @@ public static unsafe partial class ConvexQuery
             return true;
         }
 
+        readonly void IPairSolver<CastResult>.OfHalfSpace<T>(
+            ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out CastResult result)
+        {
+            bool isInvalid = !(_motion + _translationA).IsFinite || float.IsNaN(_maxFraction);
+            CastStatus status = pair.Meet(
+                pair.IsSwapped ? -_motion : _motion, isInvalid ? float.NaN : _maxFraction, out double fraction);
+            if (status is not (CastStatus.Hit or CastStatus.OverlappingAtStart))
+            {
+                result = CastResult.Nothing(status, FractionOf(status, double.NaN, _maxFraction), 1);
+                return;
+            }
+
+            Double3 moved = (Double3)(pair.IsSwapped ? _translationA : _translationB) * fraction;
+            result = new CastResult(
+                status, fraction, (Vector3)(pair.OnOtherInWorld(otherPose) + moved),
+                status == CastStatus.Hit ? pair.FromAToB : default, 1);
+        }
+
         readonly bool IPairSolver<CastResult>.TryBegin<TA, TB>(
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out CastResult result)
         {

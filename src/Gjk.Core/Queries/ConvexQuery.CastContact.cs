@@ -103,6 +103,10 @@ public static unsafe partial class ConvexQuery
             return false;
         }
 
+        readonly void IPairSolver<MotionVerdict>.OfHalfSpace<T>(
+            ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out MotionVerdict result) =>
+            result = pair.Deepens(pair.IsSwapped ? -_motion : _motion, _part);
+
         readonly bool IPairSolver<MotionVerdict>.TryBegin<TA, TB>(
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out MotionVerdict result)
         {

@@ -107,11 +107,34 @@ public static unsafe partial class ConvexQuery
         manifold.Clear();
         if (!(result.Distance <= mostGap)) return;
         manifold.Begin(result.Normal);
-        if (plane->Normal.LengthSquared > 0 && plane->Frame.IsPlaced)
+        bool isKnown = plane->Normal.LengthSquared > 0;
+        if (isKnown && (HalfSpacePair.Is(ref PairQuery.Inward(a)) || HalfSpacePair.Is(ref PairQuery.Inward(b))))
+            AddPointsOnHalfSpace(a, poseA, b, poseB, ref *plane, result, mostGap, ref manifold);
+        else if (isKnown && plane->Frame.IsPlaced)
             AddPlacedPoints(a, poseA, b, ref *plane, result, mostGap, ref manifold);
         else
             AddPoints(
                 ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), ref *plane, result, mostGap, ref manifold);
+    }
+
+    /// <summary>The points that a shape has on a half-space, which is A of the plane in either order.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void AddPointsOnHalfSpace<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref ContactPlane plane, in DistanceResult result,
+        float maxGap, ref ContactManifold manifold)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        var patch = new HalfSpacePatch(plane.Normal, plane.Size);
+        if (HalfSpacePair.Is(ref PairQuery.Inward(a)))
+        {
+            AddPlacedPoints(patch, poseA, b, ref plane, result, maxGap, ref manifold);
+            return;
+        }
+
+        ContactManifold swapped = manifold.Swapped;
+        AddPlacedPoints(patch, poseB, a, ref plane, result.Swapped, maxGap, ref swapped);
+        manifold = swapped.Swapped;
     }
 
     /// <summary>The same for shapes of which one is placed, without the placement.</summary>

@@ -182,6 +182,16 @@ public static partial class ConvexQuery
             return false;
         }
 
+        readonly void IPairSolver<RayMeeting>.OfHalfSpace<T>(
+            ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out RayMeeting hit)
+        {
+            hit = default;
+            hit.Status = pair.Meet(_line.Direction * (1 / _line.Length), _line.Reach, out hit.Distance);
+            hit.Point = _line.At(hit.Distance);
+            hit.Normal = pair.Outward;
+            hit.Iterations = 1;
+        }
+
         bool IPairSolver<RayMeeting>.TryBegin<TA, TB>(
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out RayMeeting hit)
         {

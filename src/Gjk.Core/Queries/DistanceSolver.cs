@@ -25,6 +25,10 @@ internal unsafe struct DistanceSolver<TTrace>(
         return true;
     }
 
+    readonly void IPairSolver<DistanceResult>.OfHalfSpace<T>(
+        ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out DistanceResult result) =>
+        result = pair.Result(otherPose, isSigned: false, _maxDistance);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     readonly bool IPairSolver<DistanceResult>.TryBegin<TA, TB>(
         ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out DistanceResult result)

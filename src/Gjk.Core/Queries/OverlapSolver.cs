@@ -13,6 +13,9 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
         return true;
     }
 
+    readonly void IPairSolver<GjkStatus>.OfHalfSpace<T>(
+        ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out GjkStatus result) => result = pair.Status;
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     readonly bool IPairSolver<GjkStatus>.TryBegin<TA, TB>(
         ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out GjkStatus result)

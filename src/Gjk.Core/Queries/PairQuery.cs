@@ -42,7 +42,9 @@ internal static class PairQuery
             return;
         }
 
-        if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
+        if (HalfSpacePair.Is(ref a) || HalfSpacePair.Is(ref b))
+            HalfSpacePair.Ask(ref a, poseA, ref b, poseB, ref solver, out result);
+        else if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
             PairQuery<TA, TB, TSolver, TResult>.SolveCopies(ref a, poseA, ref b, poseB, ref solver, out result);
         else
             PairQuery<TA, TB, TSolver, TResult>.Solve(ref a, ref a, poseA, ref b, ref b, poseB, ref solver, out result);
@@ -181,6 +183,14 @@ internal interface IPairSolver<TResult> : ICoreSolver
     bool TryFormula<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap;
+
+    /// <summary>Answers a pair of which one shape is a half-space.</summary>
+    /// <param name="pair">The pair, measured.</param>
+    /// <param name="other">The other shape, in the axes of its core.</param>
+    /// <param name="otherPose">Its pose.</param>
+    /// <param name="result">In the order of the query.</param>
+    void OfHalfSpace<T>(ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out TResult result)
+        where T : struct, ISupportMap;
 
     /// <summary>Refuses invalid input, and pairs of which the frame tells all.</summary>
     bool TryBegin<TA, TB>(ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out TResult result)

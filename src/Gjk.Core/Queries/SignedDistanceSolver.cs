@@ -38,6 +38,13 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
         return true;
     }
 
+    readonly void IPairSolver<DistanceResult>.OfHalfSpace<T>(
+        ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out DistanceResult result)
+    {
+        result = pair.Result(otherPose, isSigned: true, double.PositiveInfinity);
+        if (Plane != null && result.Distance <= PlaneGap) pair.Set(ref *Plane);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     readonly bool IPairSolver<DistanceResult>.TryBegin<TA, TB>(
         ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out DistanceResult result)

@@ -55,6 +55,25 @@ public readonly partial struct ConvexShape
     public static ConvexShape Ellipsoid(Vector3 radii) =>
         Make(ShapeKind.Ellipsoid, Guard.NonNegative(radii, nameof(radii)));
 
+    /// <summary>A half-space: all points x with normal · x at most the offset. A floor is
+    /// <c>HalfSpace(Vector3.UnitY, 0)</c>.</summary>
+    /// <param name="normal">Points out of it; of any length but 0.</param>
+    /// <param name="offset">How far the plane is from the local origin along the normal, in units of its
+    /// length.</param>
+    /// <returns>A shape without end: <see cref="BoundingRadius"/> is infinite, and it has no support point. Every query
+    /// of <see cref="ConvexQuery"/> answers for it and any shape that ends, in closed form; two half-spaces give
+    /// <see cref="GjkStatus.InvalidShape"/>. Widened, scaled or placed it is another half-space; inside
+    /// <c>Scaled&lt;T&gt;</c>, <c>Rounded&lt;T&gt;</c> or <c>Placed&lt;T&gt;</c> it gives
+    /// <see cref="GjkStatus.InvalidInput"/>.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is NaN or infinite, or the normal is 0.</exception>
+    public static ConvexShape HalfSpace(Vector3 normal, float offset)
+    {
+        Guard.Finite(normal, nameof(normal));
+        if (normal == Vector3.Zero)
+            throw new ArgumentOutOfRangeException(nameof(normal), normal, "Must not be zero.");
+        return Make(ShapeKind.HalfSpace, normal, new Double3(Guard.Finite(offset, nameof(offset)), 0, 0));
+    }
+
     /// <summary>A convex mesh from a hull that was built before.</summary>
     /// <exception cref="ArgumentNullException">The hull is null.</exception>
     public static ConvexShape Mesh(ConvexHull hull) =>
@@ -87,6 +106,9 @@ public readonly partial struct ConvexShape
     private static ConvexShape Make(
         ShapeKind kind, in Double3 a, in Double3 b = default, in Double3 c = default, double margin = 0) =>
         new(new ShapeParts { Kind = kind, A = a, B = b, C = c, InnerMargin = margin });
+
+    private static ConvexShape Make(in HalfSpaceCore halfSpace) =>
+        Make(ShapeKind.HalfSpace, halfSpace.Normal, halfSpace.Offset, halfSpace.NormalError);
 
     /// <summary>The shape struct of a kind that is kept as one.</summary>
     private static ILibraryShape? CurveOf(in ShapeParts parts) => parts.Kind switch

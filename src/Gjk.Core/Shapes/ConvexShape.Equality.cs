@@ -63,6 +63,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Cone => $"cone, radius {Text(p.A.X)}, half height {Text(p.A.Y)}",
         ShapeKind.TaperedCapsule =>
             $"tapered capsule, radii {Text(p.A.X)} and {Text(p.A.Y)}, half height {Text(p.A.Z)}",
+        ShapeKind.HalfSpace => $"half-space, normal {Text(p.A)}, offset {Text(p.B.X)}",
         ShapeKind.Custom => $"custom shape, {p.Layer}",
         _ => $"{p.Kind.ToString().ToLowerInvariant()} {Text(p.A)}",
     };

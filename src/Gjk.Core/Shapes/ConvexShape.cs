@@ -105,8 +105,8 @@ public readonly partial struct ConvexShape
     /// <inheritdoc/>
     public double Margin => _margin;
 
-    /// <summary>As <see cref="ISupportMap.BoundingRadius"/>; NaN in a <c>default</c> struct, which no query
-    /// accepts.</summary>
+    /// <summary>As <see cref="ISupportMap.BoundingRadius"/>; infinite for a half-space; NaN in a <c>default</c>
+    /// struct, which no query accepts.</summary>
     public double BoundingRadius => _parts.Kind == ShapeKind.None ? double.NaN
         : _parts.Placement is null ? _boundingRadius
         : _parts.Placement.Radius(_boundingRadius, _margin);
@@ -193,6 +193,9 @@ public readonly partial struct ConvexShape
     internal void Get(out TriangleCore triangle) => TriangleCore.Make(
         _parts.A, _parts.B, _parts.C, _center, _boundingRadius, _margin, out triangle);
 
+    /// <summary>This, known to be a half-space.</summary>
+    internal HalfSpaceCore AsHalfSpace => new(_parts.A, _parts.C, _parts.B);
+
     private static Double3 CoreCenter(in ShapeParts parts) => parts.Kind switch
     {
         ShapeKind.Segment or ShapeKind.Capsule => (parts.A + parts.B) * 0.5,
@@ -208,6 +211,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Triangle => TriangleShape.RadiusAbout(center, parts.A, parts.B, parts.C),
         ShapeKind.Box => parts.A.Length,
         ShapeKind.Mesh => parts.Hull!.BoundingRadius,
+        ShapeKind.HalfSpace => double.PositiveInfinity,
         _ => 0,
     };
 

@@ -39,6 +39,9 @@ public enum ShapeKind : byte
     /// <summary>The hull of two balls on the y axis.</summary>
     TaperedCapsule = 11,
 
+    /// <summary>All points on one side of a plane.</summary>
+    HalfSpace = 12,
+
     /// <summary>A shape of the caller's own; no file holds it.</summary>
-    Custom = 12,
+    Custom = 13,
 }

@@ -7,6 +7,7 @@ internal struct ShapeParts
 
     /// <summary>Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the
     /// radii. Cylinder and cone: A, the radius and half the height. Tapered capsule: A, both radii and half the height.
+    /// Half-space: A, the normal, B, the offset, and C, the normal's rounding (<see cref="HalfSpaceCore"/>).
     /// They are doubles, because a scale may have been multiplied in.</summary>
     public Double3 A, B, C;
 

@@ -27,11 +27,13 @@ public readonly struct ShapeBounds
     private readonly double _offset;
 
     /// <summary>Measures a shape; do it once per shape.</summary>
-    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, or a half-space.</exception>
     public ShapeBounds(in ConvexShape shape)
     {
         if (shape.Kind == ShapeKind.None)
             throw new ArgumentException("A default ConvexShape has no extent.", nameof(shape));
+        if (shape.Kind == ShapeKind.HalfSpace)
+            throw new ArgumentException("A half-space has no end, and so no bounds.", nameof(shape));
         ConvexShape copy = shape;
         CoreExtent.Box(ref copy, out Double3 low, out Double3 high);
         Double3 middle = (low + high) * 0.5;
@@ -43,7 +45,7 @@ public readonly struct ShapeBounds
     }
 
     /// <summary>Measures a shape that need not be convex; do it once per shape.</summary>
-    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, or a half-space.</exception>
     public ShapeBounds(in AnyShape shape)
     {
         if (shape.Kind == AnyShapeKind.Convex)

@@ -6,7 +6,7 @@ namespace Gjk.Exact.Fuzz;
 
 /// <summary>How far a shape with a curved core reaches along a direction, from the shape's numbers by formulas of its
 /// own.</summary>
-internal sealed class CurvedHeights
+public sealed class CurvedHeights
 {
     private readonly ShapeKind _kind;
     private readonly double[] _numbers;
