@@ -82,7 +82,8 @@ public static partial class ConcaveQuery
         search.Begin(scratch, motion, a, b, maxFraction, tolerance, options);
         if (isLifted) search.Lift(lifted, liftedOptions);
         search.AllCasts = all;
-        bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow && all is null;
+        bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow && all is null
+            && !sideA.IsEndless && !sideB.IsEndless;
         if (isAdvanced) PartAdvancement.Run(scratch, a, b);
         else PartCastSearch.Run(scratch);
         search.AllCasts = null;

@@ -17,7 +17,8 @@ public static partial class ConcaveQuery
     /// face takes the contact's place, if the body's furthest point lies behind it and no other contact pushes the two
     /// parts apart. At a convex edge each triangle has the contact; an edge of three triangles or more counts as all of
     /// them show it. An open surface has two sides; a solid pushes outward only. Of parts that overlap each pair has a
-    /// contact, or the push of another one takes it apart. A manifold's first point is its deepest.</param>
+    /// contact, or the push of another one takes it apart. A manifold's first point is its deepest. On a half-space
+    /// each part in reach has its contact.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool FindContacts(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,
@@ -28,6 +29,12 @@ public static partial class ConcaveQuery
         if (scratch is null) return false;
         List<PairDistance> pairs = scratch.Pairs;
         if (!FindPairsWithin(a, poseA, b, poseB, maxGap, scratch, pairs)) return false;
+        if (scratch.A.IsEndless || scratch.B.IsEndless)
+        {
+            foreach (PairDistance pair in pairs) AddOfHalfSpace(scratch, pair, maxGap, contacts);
+            return true;
+        }
+
         scratch.FaceContacts.Clear();
         scratch.Orphans.Clear();
         for (int i = 0; i < pairs.Count; i++) SeamContacts.Find(scratch, pairs[i], maxGap, contacts);
@@ -35,5 +42,19 @@ public static partial class ConcaveQuery
         if (scratch.A.MayHoldParts || scratch.B.MayHoldParts) ContactPush.RemoveNeedless(scratch, contacts);
         ContactPush.AddNeeded(scratch, contacts);
         return true;
+    }
+
+    /// <summary>A half-space pushes every part along its normal, so no seam shows.</summary>
+    private static void AddOfHalfSpace(
+        ConcaveScratch scratch, in PairDistance pair, float maxGap, List<PairContacts> contacts)
+    {
+        ConvexShape roomA = default, roomB = default;
+        DistanceResult found = ConvexQuery.Contacts(
+            scratch.A.Part(System.Math.Max(pair.PartA, 0), ref roomA), scratch.A.Pose,
+            scratch.B.Part(System.Math.Max(pair.PartB, 0), ref roomB), scratch.B.Pose, maxGap,
+            out ContactManifold manifold);
+        if (manifold.Count == 0) return;
+        DeepestPoint.Lead(ref manifold);
+        contacts.Add(new PairContacts(pair.PartA, pair.PartB, found, manifold));
     }
 }

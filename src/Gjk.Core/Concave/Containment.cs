@@ -33,7 +33,7 @@ internal static class Containment
 
     private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved)
     {
-        if (!outer.IsSolid) return false;
+        if (!outer.IsSolid || inner.IsEndless) return false;
         for (int piece = 0; piece < inner.PieceCount; piece++)
         {
             VectorDD world = VectorDD.Place(inner.Pose, inner.MiddleOf(piece, out _)) + (VectorDD)moved;
@@ -60,7 +60,7 @@ internal static class Containment
     {
         part = PartSide.NoPart;
         result = default;
-        if (!outer.IsSolid) return false;
+        if (!outer.IsSolid || inner.IsEndless) return false;
         for (int piece = 0; piece < inner.PieceCount; piece++)
         {
             Double3 point = inner.PointOf(piece, out int first);

@@ -3,6 +3,9 @@ namespace Gjk.Core;
 /// <summary>One of a query's two shapes: its parts, their tree and its pose.</summary>
 internal sealed class PartSide
 {
+    /// <summary>Length: beyond all floats.</summary>
+    private const double Endless = 1e39;
+
     private readonly PartTree _single = PartTree.Single();
     private ConvexShape _convex;
 
@@ -30,13 +33,15 @@ internal sealed class PartSide
     public bool IsPoint =>
         IsConvex && _convex.Kind is (ShapeKind.Point or ShapeKind.Sphere) && _convex.Margin == 0;
 
+    /// <summary>Whether it is a half-space: its box holds everything, so each part of the other is asked.</summary>
+    public bool IsEndless => IsConvex && _convex.Kind == ShapeKind.HalfSpace;
+
     public bool IsConvex => Mesh is null && Compound is null;
 
-    /// <returns>False where the shape or the pose is a <c>default</c> struct, or the shape a half-space.</returns>
+    /// <returns>False where the shape or the pose is a <c>default</c> struct.</returns>
     public bool TrySet(in AnyShape shape, in RigidPose pose)
     {
         if (shape.Kind == AnyShapeKind.None || !pose.IsValid) return false;
-        if (AnyShape.ConvexOf(shape).Kind == ShapeKind.HalfSpace) return false;
         Pose = pose;
         Mesh = shape.Mesh;
         Compound = shape.Compound;
@@ -50,6 +55,14 @@ internal sealed class PartSide
 
         _convex = AnyShape.ConvexOf(shape);
         Margin = _convex.Margin;
+        if (IsEndless)
+        {
+            var all = new Double3(Endless, Endless, Endless);
+            SinglePart.Write(_single, -all, all);
+            Tree = _single;
+            return true;
+        }
+
         CompoundShape.Box(_convex, 0, out Double3 min, out Double3 max);
         SinglePart.Write(_single, min, max);
         Tree = _single;

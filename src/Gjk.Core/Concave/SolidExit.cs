@@ -27,7 +27,7 @@ internal static class SolidExit
     private static bool TryFind(ConcaveScratch scratch, PartSide outer, PartSide inner, out CastHit found)
     {
         found = default;
-        if (!outer.IsSolid) return false;
+        if (!outer.IsSolid || inner.IsEndless) return false;
         List<PairDistance> pairs = scratch.Pairs;
         FindTouching(scratch, outer == scratch.B);
         Exit best = default;

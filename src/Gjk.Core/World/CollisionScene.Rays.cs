@@ -56,7 +56,7 @@ public sealed partial class CollisionScene
         in CastOptions options = default)
     {
         RayQuery.Check(rays, results);
-        if (_phase is DynamicAabbTree tree) tree.UpdateLeaves();
+        if (_phase.Bounded is DynamicAabbTree tree) tree.UpdateLeaves();
         Workers.Run(
             workers, new SceneRayJob(_phase, _objects, rays, results, filter, options), rays.Length,
             _objects.Parts.PartLength, CancellationToken.None);

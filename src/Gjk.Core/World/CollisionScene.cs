@@ -9,7 +9,7 @@ namespace Gjk.Core;
 public sealed partial class CollisionScene
 {
     private readonly SceneObjects _objects = new();
-    private readonly IBroadPhase _phase;
+    private readonly EndlessPhase _phase;
 
     /// <summary>Counts the calls of the finders whose answers pairs at rest keep.</summary>
     private long _calls;
@@ -35,7 +35,7 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">It has objects.</exception>
     public CollisionScene(IBroadPhase broadPhase)
     {
-        _phase = Guard.NotNull(broadPhase, nameof(broadPhase));
+        _phase = new EndlessPhase(Guard.NotNull(broadPhase, nameof(broadPhase)), _objects);
         _seams = new SceneSeams(_objects);
         if (_phase.Count != 0) throw new ArgumentException("Must be empty.", nameof(broadPhase));
     }
@@ -85,7 +85,8 @@ public sealed partial class CollisionScene
     }
 
     /// <summary>Adds an object.</summary>
-    /// <param name="shape">Any shape but a <c>default</c> struct.</param>
+    /// <param name="shape">Any shape but a <c>default</c> struct. A half-space is near all other objects, so each is
+    /// asked about it; two half-spaces are never tested against each other.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="settings">What it is tested against, and a tag; by default all others, and 0.</param>
     /// <returns>Its id: the next number, from 0.</returns>

@@ -44,13 +44,17 @@ internal sealed class SceneSeams(SceneObjects objects)
         for (int i = 0; i < contacts.Count; i++)
         {
             int a = objects.SlotOf(contacts[i].Pair.A), b = objects.SlotOf(contacts[i].Pair.B);
-            if (objects.Settings[a].IsStatic != objects.Settings[b].IsStatic)
+            bool isSmooth = IsHalfSpace(a) || IsHalfSpace(b);
+            if (!isSmooth && objects.Settings[a].IsStatic != objects.Settings[b].IsStatic)
                 _keys[count++] = (ulong)(uint)(objects.Settings[a].IsStatic ? b : a) << 32 | (uint)i;
         }
 
         InPlaceSort.Sort(_keys, 0, count);
         return count;
     }
+
+    /// <summary>A half-space has no seam, and goes on everywhere.</summary>
+    private bool IsHalfSpace(int slot) => objects.Shapes[slot].Kind == ShapeKind.HalfSpace;
 
     /// <summary>The static objects that a body touches. Contacts are sorted, so those with one object are
     /// together.</summary>

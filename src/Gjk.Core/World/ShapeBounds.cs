@@ -20,6 +20,9 @@ public readonly struct ShapeBounds
     /// ShapeBoundsTests.</summary>
     private const double TouchSlack = 5 * GjkTolerances.TouchCurved;
 
+    /// <summary>Length: beyond all floats.</summary>
+    private const double Endless = 1e39;
+
     private readonly Double3 _center;
     private readonly Double3 _half;
     private readonly double _margin;
@@ -27,13 +30,19 @@ public readonly struct ShapeBounds
     private readonly double _offset;
 
     /// <summary>Measures a shape; do it once per shape.</summary>
-    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, or a half-space.</exception>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
     public ShapeBounds(in ConvexShape shape)
     {
         if (shape.Kind == ShapeKind.None)
             throw new ArgumentException("A default ConvexShape has no extent.", nameof(shape));
         if (shape.Kind == ShapeKind.HalfSpace)
-            throw new ArgumentException("A half-space has no end, and so no bounds.", nameof(shape));
+        {
+            this = default;
+            _half = new Double3(Endless, Endless, Endless);
+            _radius = Endless;
+            return;
+        }
+
         ConvexShape copy = shape;
         CoreExtent.Box(ref copy, out Double3 low, out Double3 high);
         Double3 middle = (low + high) * 0.5;
@@ -45,7 +54,7 @@ public readonly struct ShapeBounds
     }
 
     /// <summary>Measures a shape that need not be convex; do it once per shape.</summary>
-    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, or a half-space.</exception>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
     public ShapeBounds(in AnyShape shape)
     {
         if (shape.Kind == AnyShapeKind.Convex)
@@ -74,7 +83,11 @@ public readonly struct ShapeBounds
     /// <summary>The radius of a ball about the centre of <see cref="BoxAt"/> that holds the shape.</summary>
     internal double Radius => _radius;
 
-    /// <summary>A box that holds the shape at a pose: the box around the turned local box, or that around the ball,
+    /// <summary>Whether a box holds everything, as a half-space's does.</summary>
+    internal static bool IsEndless(in Aabb box) =>
+        box.Min == new Vector3(-float.MaxValue) && box.Max == new Vector3(float.MaxValue);
+
+    /// <summary>A box that holds the shape at a pose, of a half-space that of all floats: the box around the turned local box, or that around the ball,
     /// whichever is narrower along each axis; rounded outward.</summary>
     public Aabb BoxAt(in RigidPose pose)
     {

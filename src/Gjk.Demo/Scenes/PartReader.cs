@@ -52,8 +52,9 @@ internal sealed class PartReader
     private void ReadShape(ref StrictJsonReader json)
     {
         Shape = ShapeReader.Read(ref json);
-        if (Shape.IsConvex) return;
+        if (Shape.IsConvex && !Shape.IsEndless) return;
         json.Path.Enter("type");
-        throw json.Refuse("a part of a compound must be convex");
+        throw json.Refuse(
+            Shape.IsEndless ? "a part of a compound cannot be a half-space" : "a part of a compound must be convex");
     }
 }

@@ -39,12 +39,13 @@ internal sealed class Scene
     /// <exception cref="RefusedException">An object is a surface or a compound.</exception>
     public Scene Convex(string name, string asker = "this command")
     {
-        int other = Array.FindIndex(Objects, o => !o.IsConvex);
+        int other = Array.FindIndex(Objects, o => !o.IsConvex || o.Shape.Kind == ShapeKind.HalfSpace);
         return other < 0
             ? this
             : throw new RefusedException(
                 $"{name}: $.objects[{other}].shape: {asker} takes convex shapes only, not a "
-                + (Objects[other].Any.Mesh is null ? "compound" : "surface"));
+                + (Objects[other].IsConvex ? "half-space, which has no end"
+                    : Objects[other].Any.Mesh is null ? "compound" : "surface"));
     }
 
     public static Scene From(BuiltInScene scene)

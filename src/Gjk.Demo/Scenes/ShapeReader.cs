@@ -22,6 +22,7 @@ internal sealed class ShapeReader
         ["taperedCapsule"] = (
             ["topRadius", "bottomRadius", "halfHeight"],
             s => ConvexShape.TaperedCapsule(s._topRadius, s._bottomRadius, s._halfHeight)),
+        ["halfspace"] = (["normal", "offset"], s => ConvexShape.HalfSpace(s._normal, s._offset)),
         ["mesh"] = (["mesh"], _ => default),
         ["surface"] = (["mesh"], _ => default),
         ["compound"] = (["parts"], _ => default),
@@ -35,8 +36,8 @@ internal sealed class ShapeReader
     private readonly HashSet<string> _seen = [];
     private string _type = "";
     private string _mesh = "";
-    private float _radius, _topRadius, _bottomRadius, _halfHeight;
-    private Vector3 _halfExtents, _radii, _a, _b, _c, _position;
+    private float _radius, _topRadius, _bottomRadius, _halfHeight, _offset;
+    private Vector3 _halfExtents, _radii, _a, _b, _c, _normal, _position;
     private float _rounding;
     private bool _isSolid;
     private List<PartReader> _parts = [];
@@ -67,6 +68,9 @@ internal sealed class ShapeReader
 
     /// <summary>Whether the shape is neither a surface nor a compound.</summary>
     public bool IsConvex => _type is not ("surface" or "compound");
+
+    /// <summary>Whether the shape has no end.</summary>
+    public bool IsEndless => _type == "halfspace";
 
     /// <summary>The names of the meshes whose hulls the shape needs.</summary>
     public IEnumerable<string> Hulls => _type == "mesh" ? [_mesh] : _parts.SelectMany(part => part.Shape.Hulls);
@@ -138,6 +142,13 @@ internal sealed class ShapeReader
                 break;
             case "radii":
                 _radii = json.Vector(NumberRule.NonNegative);
+                break;
+            case "normal":
+                _normal = json.Vector();
+                if (_normal == Vector3.Zero) throw json.Refuse("must not be [0, 0, 0]");
+                break;
+            case "offset":
+                _offset = json.Float();
                 break;
             case "solid":
                 _isSolid = json.Bool();

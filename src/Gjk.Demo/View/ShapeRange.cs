@@ -22,6 +22,12 @@ internal static class ShapeRange
     /// <inheritdoc cref="Check(Scene, string)"/>
     public static void Check(Scene scene, string name, int index)
     {
+        if (scene.Objects[index].Shape.Kind == ShapeKind.HalfSpace)
+        {
+            throw new RefusedException(
+                $"{name}: $.objects[{index}]: a half-space has no end, so it cannot be drawn");
+        }
+
         foreach (Double3 axis in Axes)
         {
             Double3 point = SupportSamples.Support(scene.Objects[index].Any, axis);

@@ -1,0 +1,67 @@
+namespace Gjk.Core;
+
+/// <summary>A scene's broad phase: what has no end, as a half-space, is in a list, and everything is near it; a broad
+/// phase holds the rest.</summary>
+internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects) : IBroadPhase
+{
+    private readonly List<int> _endless = [];
+
+    /// <summary>What holds the objects that end.</summary>
+    public IBroadPhase Bounded => bounded;
+
+    public int Count => bounded.Count + _endless.Count;
+
+    public void Add(int id, in Aabb bounds)
+    {
+        if (ShapeBounds.IsEndless(bounds)) _endless.Add(id);
+        else bounded.Add(id, bounds);
+    }
+
+    public void Move(int id, in Aabb bounds)
+    {
+        if (!_endless.Contains(id)) bounded.Move(id, bounds);
+    }
+
+    public void Remove(int id)
+    {
+        if (!_endless.Remove(id)) bounded.Remove(id);
+    }
+
+    public void Clear()
+    {
+        _endless.Clear();
+        bounded.Clear();
+    }
+
+    /// <summary>Two half-spaces are no pair.</summary>
+    public void CollectPairs(float margin, List<ObjectPair> pairs)
+    {
+        bounded.CollectPairs(margin, pairs);
+        if (_endless.Count == 0) return;
+        foreach (int one in _endless)
+        {
+            for (int slot = 0; slot < objects.End; slot++)
+            {
+                if (objects.Alive[slot] && !_endless.Contains(slot))
+                    pairs.Add(new ObjectPair(Math.Min(one, slot), Math.Max(one, slot)));
+            }
+        }
+
+        InPlaceSort.Sort(pairs);
+    }
+
+    public void CollectInBox(in Aabb box, List<int> ids)
+    {
+        bounded.CollectInBox(box, ids);
+        if (_endless.Count == 0) return;
+        ids.AddRange(_endless);
+        InPlaceSort.Sort(ids);
+    }
+
+    public void Sweep<TVisitor>(in SweptBox path, ref TVisitor visitor)
+        where TVisitor : struct, ISweepVisitor
+    {
+        foreach (int one in _endless) visitor.Visit(one);
+        bounded.Sweep(path, ref visitor);
+    }
+}
