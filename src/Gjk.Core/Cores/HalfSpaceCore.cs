@@ -45,17 +45,17 @@ internal readonly struct HalfSpaceCore
         (double)(VectorDD.Dot(VectorDD.Rotate(rotation, Exact), point) - ExactOffset);
 
     /// <summary>Widens it.</summary>
-    public HalfSpaceCore Rounded(double radius) => new(Exact, ExactOffset + DoubleDouble.Product(Length, radius));
+    public HalfSpaceCore Widened(double radius) => new(Exact, ExactOffset + DoubleDouble.Product(Length, radius));
 
     /// <summary>Turns and moves it.</summary>
-    public HalfSpaceCore Placed(in RigidPose pose)
+    public HalfSpaceCore Moved(in RigidPose pose)
     {
         VectorDD normal = VectorDD.Rotate(pose.Rotation, Exact);
         return new(normal, ExactOffset + VectorDD.Dot(normal, (Double3)pose.Position));
     }
 
     /// <summary>Scales it: x = y / s in n · x, times the product of all factors, which keeps their order.</summary>
-    public HalfSpaceCore Scaled(in Double3 s)
+    public HalfSpaceCore Stretched(in Double3 s)
     {
         double sign = s.X * s.Y * s.Z < 0 ? -1 : 1;
         var normal = new VectorDD(

@@ -180,67 +180,6 @@ public static unsafe partial class ConvexQuery
             return false;
         }
 
-        void IPairSolver<CastResult>.OfHalfSpace<T>(
-            ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out CastResult result)
-        {
-            result = CastResult.Nothing(
-                pair.Status == GjkStatus.InvalidShape ? CastStatus.InvalidShape : CastStatus.InvalidInput, float.NaN,
-                0);
-            if (pair.Status is not (GjkStatus.Separated or GjkStatus.Overlapping) || !IsValid) return;
-            if (pair.IsSwapped) PairMotion.Begin(_motionB, _motionA, pair.Frame, out _motion);
-            else PairMotion.Begin(_motionA, _motionB, pair.Frame, out _motion);
-            _begin = _follows ? _contact.Fraction : 0;
-            _end = Math.Min(_maxFraction, SineCosine.MaxAngle / _motion.Rate);
-            _isWhole = _end >= _maxFraction;
-            double tolerance = ToleranceOf(pair.Frame, _motion, _end);
-            if (_isWindow)
-            {
-                _isWhole = _isWhole || _to <= _end;
-                (_begin, _end) = (Math.Max(_begin, _from), Math.Min(_end, _to));
-            }
-
-            result = CastResult.Nothing(_isWhole ? CastStatus.Miss : CastStatus.IterationLimit, _maxFraction, 0);
-            if (_begin > _end) return;
-            var search = new HalfSpaceMotion(pair, _motion, _end, _isWindow ? WindowRoom * tolerance : tolerance);
-            Impact impact = default;
-            (impact.Fraction, impact.Iterations) = (_begin, _follows ? _contact.Iterations : 1);
-            CastResult contact = _contact;
-            bool follows = _follows;
-            while (true)
-            {
-                if (follows)
-                {
-                    search.Follow(ref other, _options.AllowedDepth, ref impact);
-                    if (impact.Outcome != MotionVerdict.Over) break;
-                }
-
-                search.Advance(ref other, !_isWindow, ref impact);
-                follows = _follows && _options.PassesShallow && impact.Outcome == MotionVerdict.Hit
-                    && impact.Steps < AdvancementSolver.MaxSteps;
-                if (impact.Outcome == MotionVerdict.Hit) contact = Contact(search, ref other, impact, pair.IsSwapped);
-                if (!follows) break;
-            }
-
-            result = impact.Outcome == MotionVerdict.Hit
-                ? contact.With(contact.Status, contact.Point, contact.Normal, impact.Iterations, contact.Depth)
-                : Nothing(impact, _isWhole);
-        }
-
-        /// <summary>Where a half-space and a shape have come together.</summary>
-        private readonly CastResult Contact<T>(
-            in HalfSpaceMotion search, ref T other, in Impact impact, bool isSwapped)
-            where T : struct, ISupportMap
-        {
-            float fraction = RoundOff.Down(impact.Fraction);
-            RigidMotion ofPlane = isSwapped ? _motionB : _motionA;
-            Double3 position = (Double3)ofPlane.Pose.Position + (Double3)ofPlane.Velocity * fraction;
-            search.Place(ref other, fraction, position, isSwapped, out Vector3 point, out Vector3 normal);
-            bool isStart = impact.Fraction == 0 && search.IsOverlapping;
-            return new CastResult(
-                isStart ? CastStatus.OverlappingAtStart : CastStatus.Hit, impact.Fraction, point,
-                isStart ? Vector3.Zero : normal, impact.Iterations).At(fraction);
-        }
-
         bool IPairSolver<CastResult>.TryBegin<TA, TB>(
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out CastResult result)
         {

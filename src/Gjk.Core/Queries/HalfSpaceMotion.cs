@@ -36,7 +36,7 @@ internal struct HalfSpaceMotion
     }
 
     /// <summary>Whether they overlap, or touch, at the fraction 0.</summary>
-    public readonly bool IsOverlapping => _pair.Status == GjkStatus.Overlapping;
+    private readonly bool IsOverlapping => _pair.Status == GjkStatus.Overlapping;
 
     /// <summary>Goes on until they are within the tolerance.</summary>
     /// <param name="other">The other's core.</param>
@@ -94,19 +94,25 @@ internal struct HalfSpaceMotion
         }
     }
 
-    /// <summary>Where they are together at a fraction.</summary>
-    public readonly void Place<T>(
-        ref T other, double fraction, in Double3 position, bool isSwapped, out Vector3 point, out Vector3 normal)
+    /// <summary>The contact that was found, in the order of the query.</summary>
+    public readonly CastResult Contact<T>(
+        ref T other, in RigidMotion motionA, in RigidMotion motionB, in Impact impact)
         where T : struct, ISupportMap
     {
+        float fraction = RoundOff.Down(impact.Fraction);
         PairFrame frame = _pair.Frame;
         _motion.MoveTo(fraction, ref frame);
         double gap = _pair.GapIn(frame, ref other, out Double3 on);
         Double3 local = frame.Translation + frame.Rotation.Rotate(on) - _pair.Normal * frame.MarginB;
-        if (!isSwapped) local -= _pair.Normal * gap;
-        Double3 outward = frame.RotationA.Rotate(_pair.Normal);
-        point = (Vector3)(frame.RotationA.Rotate(local) + position);
-        normal = isSwapped ? Opposite.Of((Vector3)outward) : (Vector3)outward;
+        if (!_pair.IsSwapped) local -= _pair.Normal * gap;
+        RigidMotion plane = _pair.IsSwapped ? motionB : motionA;
+        Double3 position = (Double3)plane.Pose.Position + (Double3)plane.Velocity * fraction;
+        var outward = (Vector3)frame.RotationA.Rotate(_pair.Normal);
+        bool isStart = impact.Fraction == 0 && IsOverlapping;
+        return new CastResult(
+            isStart ? CastStatus.OverlappingAtStart : CastStatus.Hit, impact.Fraction,
+            (Vector3)(frame.RotationA.Rotate(local) + position),
+            isStart ? Vector3.Zero : _pair.IsSwapped ? Opposite.Of(outward) : outward, impact.Iterations).At(fraction);
     }
 
     /// <summary>The gap at a fraction, added to what both may overlap, and how it changes.</summary>

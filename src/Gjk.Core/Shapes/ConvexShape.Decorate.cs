@@ -13,7 +13,7 @@ public readonly partial struct ConvexShape
         Guard.Scale(scale, nameof(scale));
         CheckIsShape();
         Double3 factors = scale;
-        if (Kind == ShapeKind.HalfSpace) return Make(AsHalfSpace.Scaled(factors));
+        if (Kind == ShapeKind.HalfSpace) return Make(AsHalfSpace.Stretched(factors));
         var change = new AxisScale(factors);
         ShapeParts parts = _parts;
         if (parts.Layer is not null || parts.Placement is not null || (parts.Rounding > 0 && !change.KeepsBalls))
@@ -55,7 +55,7 @@ public readonly partial struct ConvexShape
     {
         Guard.NonNegative(radius, nameof(radius));
         CheckIsShape();
-        if (Kind == ShapeKind.HalfSpace) return Make(AsHalfSpace.Rounded(radius));
+        if (Kind == ShapeKind.HalfSpace) return Make(AsHalfSpace.Widened(radius));
         ShapeParts parts = _parts;
         if (parts.Layer is null && parts.Scaling is null && TryRoundedKind(parts.Kind, out ShapeKind rounded))
         {
@@ -79,7 +79,7 @@ public readonly partial struct ConvexShape
         Guard.Pose(pose, nameof(pose));
         CheckIsShape();
         if (pose == RigidPose.Identity) return this;
-        if (Kind == ShapeKind.HalfSpace) return Make(AsHalfSpace.Placed(pose));
+        if (Kind == ShapeKind.HalfSpace) return Make(AsHalfSpace.Moved(pose));
         return new(this, new Placement(pose, _parts.Placement, _center));
     }
 

@@ -87,8 +87,8 @@ public readonly struct ShapeBounds
     internal static bool IsEndless(in Aabb box) =>
         box.Min == new Vector3(-float.MaxValue) && box.Max == new Vector3(float.MaxValue);
 
-    /// <summary>A box that holds the shape at a pose, of a half-space that of all floats: the box around the turned local box, or that around the ball,
-    /// whichever is narrower along each axis; rounded outward.</summary>
+    /// <summary>A box that holds the shape at a pose: the box around the turned local box, or that around the ball,
+    /// whichever is narrower along each axis; rounded outward. That of a half-space holds all floats.</summary>
     public Aabb BoxAt(in RigidPose pose)
     {
         var rotation = new RotationD(pose.Rotation);

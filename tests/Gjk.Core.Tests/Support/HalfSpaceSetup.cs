@@ -1,7 +1,8 @@
 namespace Gjk.Core.Tests.Support;
 
 /// <summary>A half-space and a shape somewhere near its plane, with the exact distance.</summary>
-internal sealed record HalfSpaceSetup(Vector3 Normal, float Offset, RigidPose Pose, TestShape Other, RigidPose OtherPose)
+internal sealed record HalfSpaceSetup(
+    Vector3 Normal, float Offset, RigidPose Pose, TestShape Other, RigidPose OtherPose)
 {
     public ConvexShape Plane { get; } = ConvexShape.HalfSpace(Normal, Offset);
 

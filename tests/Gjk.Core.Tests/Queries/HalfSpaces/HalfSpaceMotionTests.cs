@@ -145,7 +145,7 @@ public class HalfSpaceMotionTests
         Assert.InRange(hits, 8, 58);
     }
 
-    /// <summary>A half-space that turns itself: at the fraction they are within the tolerance, and before apart.</summary>
+    /// <summary>A half-space that turns: at the fraction they are within the tolerance, and before apart.</summary>
     [Fact]
     public void AHalfSpaceThatTurnsIsMetInTime()
     {

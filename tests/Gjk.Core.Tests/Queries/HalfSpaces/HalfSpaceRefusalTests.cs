@@ -67,8 +67,9 @@ public class HalfSpaceRefusalTests
         RigidPose here = RigidPose.Identity;
         Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.Distance(Floor, default, Ball, here).Status);
         Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.Distance(Floor, here, Ball, default).Status);
-        Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.SignedDistance(default(ConvexShape), here, Floor, here).Status);
-        ConvexQuery.Overlaps(Floor, here, default(ConvexShape), here, out GjkStatus status);
+        ConvexShape none = default;
+        Assert.Equal(GjkStatus.InvalidInput, ConvexQuery.SignedDistance(none, here, Floor, here).Status);
+        ConvexQuery.Overlaps(Floor, here, none, here, out GjkStatus status);
         Assert.Equal(GjkStatus.InvalidInput, status);
         Assert.Equal(CastStatus.InvalidInput, ConvexQuery.Cast(Floor, default, default, Ball, here, default).Status);
         var motion = new RigidMotion(here, Vector3.One, Vector3.One);

@@ -15,57 +15,60 @@ public class HalfSpaceSceneTests
         var scratch = new ConcaveScratch();
         var pairs = new List<PairDistance>();
         var contacts = new List<PairContacts>();
-        int overlaps = 0, hits = 0;
+        AnyShape floor = AnyShape.Of(Floor);
+        int overlaps = 0;
         for (ulong seed = 1; seed <= 120; seed++)
         {
-            var random = new FuzzRandom(seed);
-            AnyShape shape = ConcaveShapes.Any(random);
-            var rng = new Rng(seed);
-            RigidPose pose = new(rng.Rotation(), rng.Vector(-2, 2)), at = new(rng.Rotation(), rng.Vector(-1, 1));
-            AnyShape floor = AnyShape.Of(Floor);
-            Vector3 way = rng.Vector(-4, 4);
-            var least = float.PositiveInfinity;
-            var first = CastResult.Nothing(CastStatus.Miss, 1, 0);
-            int within = 0;
-            foreach (ConvexShape part in Parts(shape))
-            {
-                least = Math.Min(least, ConvexQuery.Distance(Floor, at, part, pose).Distance);
-                within += ConvexQuery.Distance(Floor, at, part, pose, 0.5f).Status == GjkStatus.BeyondMaxDistance
-                    ? 0
-                    : 1;
-                CastResult cast = ConvexQuery.Cast(Floor, at, default, part, pose, way);
-                if (cast.IsHit && (!first.IsHit || cast.Fraction < first.Fraction)) first = cast;
-            }
-
+            Draw(seed, out AnyShape shape, out RigidPose pose, out RigidPose at, out _);
+            float[] all = [.. Parts(shape).Select(p => ConvexQuery.Distance(Floor, at, p, pose).Distance)];
+            float least = all.Min();
+            int within = all.Count(d => d <= 0.5f);
             string message = $"seed {seed}, {shape.Kind}";
             PairDistance found = ConcaveQuery.Distance(floor, at, shape, pose, scratch);
             Assert.True(found.Distance == least, $"{message}: {found} for {least}");
             Assert.Equal(found.Distance, ConcaveQuery.Distance(shape, pose, floor, at, scratch).Distance);
             Assert.Equal(least == 0, ConcaveQuery.Overlaps(floor, at, shape, pose, scratch));
             overlaps += least == 0 ? 1 : 0;
-            CastHit hit = ConcaveQuery.Cast(floor, at, default, shape, pose, way, scratch);
-            Assert.True(hit.Status == first.Status && hit.Result.Fraction == first.Fraction, $"{message}: {hit}");
-            hits += hit.Result.IsHit ? 1 : 0;
-            var turning = new RigidMotion(pose, way, rng.Direction());
-            CastHit impact = ConcaveQuery.TimeOfImpact(floor, new RigidMotion(at, default), shape, turning, scratch);
-            CastResult sooner = Parts(shape).Select(p => ConvexQuery.TimeOfImpact(
-                Floor, new RigidMotion(at, default), p, turning)).OrderBy(c => c.IsHit ? c.Fraction : 2).First();
-            Assert.True(
-                impact.Status == sooner.Status && impact.Result.Fraction == sooner.Fraction,
-                $"{message}: {impact} for {sooner}");
             Assert.True(ConcaveQuery.FindPairsWithin(floor, at, shape, pose, 0.5f, scratch, pairs));
             Assert.True(pairs.Count == within, message);
             Assert.True(ConcaveQuery.FindContacts(floor, at, shape, pose, 0.5f, scratch, contacts));
             Assert.True(contacts.Count == within, message);
             foreach (PairContacts contact in contacts)
             {
-                DistanceResult own = ConvexQuery.SignedDistance(Floor, at, Parts(shape)[contact.PartB], pose);
+                ConvexShape part = Parts(shape)[Math.Max(contact.PartB, 0)];
+                DistanceResult own = ConvexQuery.SignedDistance(Floor, at, part, pose);
                 Assert.True(ResultBits.AreSame(own, contact.Result), message);
             }
         }
 
         Assert.InRange(overlaps, 20, 110);
+    }
+
+    [Fact]
+    public void TheFirstPartIsMet()
+    {
+        var scratch = new ConcaveScratch();
+        AnyShape floor = AnyShape.Of(Floor);
+        int hits = 0;
+        for (ulong seed = 1; seed <= 120; seed++)
+        {
+            Draw(seed, out AnyShape shape, out RigidPose pose, out RigidPose at, out Vector3 way);
+            ConvexShape[] parts = Parts(shape);
+            string message = $"seed {seed}, {shape.Kind}";
+            CastHit hit = ConcaveQuery.Cast(floor, at, default, shape, pose, way, scratch);
+            CastResult first = First(parts.Select(p => ConvexQuery.Cast(Floor, at, default, p, pose, way)));
+            Assert.True(hit.Status == first.Status && hit.Result.Fraction == first.Fraction, $"{message}: {hit}");
+            hits += hit.Result.IsHit ? 1 : 0;
+            var still = new RigidMotion(at, default);
+            var turning = new RigidMotion(pose, way, new Vector3(0.5f, -0.25f, 1));
+            hit = ConcaveQuery.TimeOfImpact(floor, still, shape, turning, scratch);
+            first = First(parts.Select(p => ConvexQuery.TimeOfImpact(Floor, still, p, turning)));
+            Assert.True(hit.Status == first.Status && hit.Result.Fraction == first.Fraction, $"{message}: {hit}");
+        }
+
         Assert.InRange(hits, 40, 119);
+
+        static CastResult First(IEnumerable<CastResult> all) => all.OrderBy(c => c.IsHit ? c.Fraction : 2).First();
     }
 
     [Fact]
@@ -167,6 +170,16 @@ public class HalfSpaceSceneTests
         long before = GC.GetAllocatedBytesForCurrentThread();
         foreach (Action verb in verbs) verb();
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+    }
+
+    private static void Draw(
+        ulong seed, out AnyShape shape, out RigidPose pose, out RigidPose at, out Vector3 way)
+    {
+        var rng = new Rng(seed);
+        shape = ConcaveShapes.Any(new FuzzRandom(seed));
+        pose = new RigidPose(rng.Rotation(), rng.Vector(-2, 2));
+        at = new RigidPose(rng.Rotation(), rng.Vector(-1, 1));
+        way = rng.Vector(-4, 4);
     }
 
     private static CollisionScene Make(

@@ -205,7 +205,7 @@ public class HalfSpaceTests
     {
         float size = (float)s.Other.LongestSide + s.OtherPose.Position.Length() + s.Pose.Position.Length() + 1;
         Assert.True((r.PointA + r.Normal * r.Distance - r.PointB).Length() <= 1e-6f * size, message + ": points");
-        Assert.True((s.Pose.TransformPoint(r.LocalPointA) - r.PointA).Length() <= 2e-6f * size, message + ": A's frame");
+        Assert.True((s.Pose.TransformPoint(r.LocalPointA) - r.PointA).Length() <= 2e-6f * size, message + ": A's");
         Assert.True((s.OtherPose.TransformPoint(r.LocalPointB) - r.PointB).Length() <= 2e-6f * size, message + ": B's");
         Double3 n = (Double3)s.Normal * (1 / ((Double3)s.Normal).Length);
         double level = s.Offset / ((Double3)s.Normal).Length;
