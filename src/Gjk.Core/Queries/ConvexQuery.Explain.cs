@@ -12,7 +12,7 @@ public static unsafe partial class ConvexQuery
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="trace">Told of every support and reduction. Two spheres, which a formula solves, are told as the
-    /// one round that it stands for. Invalid input tells nothing.</param>
+    /// one round that it stands for. Invalid input tells nothing, and neither does a half-space.</param>
     /// <param name="maxDistance">As in <c>Distance</c>.</param>
     /// <returns>See <see cref="DistanceResult"/>. What the trace throws passes through.</returns>
     public static DistanceResult Explain<TA, TB, TTrace>(
@@ -39,9 +39,9 @@ public static unsafe partial class ConvexQuery
     /// <param name="poseB">Pose of B in the world.</param>
     /// <param name="trace">Told of the surface that grows inside the Minkowski difference of the cores. Two boxes
     /// without margins are answered by their 15 separating axes; a surface is grown for the trace alone then, and ends
-    /// at the same depth. Nothing is told where nothing is searched: of invalid input, of two spheres, and of shapes
-    /// with margins whose cores are apart, whose signed distance is that of the cores less the margins (<c>Explain</c>
-    /// tells of it).</param>
+    /// at the same depth. Nothing is told where nothing is searched: of invalid input, of two spheres, of a half-space,
+    /// and of shapes with margins whose cores are apart, whose signed distance is that of the cores less the margins
+    /// (<c>Explain</c> tells of it).</param>
     /// <returns>As <c>SignedDistance</c> gives it. What the trace throws passes through.</returns>
     public static DistanceResult ExplainDepth<TA, TB, TTrace>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref TTrace trace)

@@ -44,6 +44,20 @@ public sealed class RefusalTests
         DemoRun.Of("query", scene).AssertRefused($"{scene}: $.name: ", "Unicode");
     }
 
+    /// <summary>What has no end is asked, but not drawn.</summary>
+    [Fact]
+    public void AHalfSpaceIsNotDrawn()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write(
+            "s.json", WithObject("""{"shape":{"type":"halfspace","normal":[0,1,0],"offset":-3}}"""));
+        DemoRun.Of("query", scene).AssertDone();
+        DemoRun.Of("view", scene, "--out", directory.File("s.html")).AssertRefused(
+            "$.objects[1]: a half-space has no end, so it cannot be drawn");
+        DemoRun.Of("view", scene, "--live", "--out", directory.File("s.html")).AssertRefused(
+            "$.objects[1].shape: --live takes convex shapes only, not a half-space, which has no end");
+    }
+
     [Fact]
     public void AControlCharacterInANameDoesNotBreakTheLine()
     {
@@ -133,6 +147,13 @@ public sealed class RefusalTests
         ("""{"type":"triangle","a":[0,0,0],"b":[1,0,0],"c":[0,1]}""", "$.objects[1].shape.c", "has 2 elements"),
         ("""{"type":"mesh","mesh":"nope"}""", "$.objects[1].shape.mesh", "there is no mesh \"nope\""),
         ("""{"type":"mesh"}""", "$.objects[1].shape.mesh", "missing"),
+        ("""{"type":"halfspace","normal":[0,1,0]}""", "$.objects[1].shape.offset", "missing"),
+        ("""{"type":"halfspace","normal":[0,0,0],"offset":1}""", "$.objects[1].shape.normal",
+            "must not be [0, 0, 0]"),
+        ("""{"type":"halfspace","normal":[0,1,0],"offset":1e39}""", "$.objects[1].shape.offset",
+            "too large for a float"),
+        ("""{"type":"compound","parts":[{"shape":{"type":"halfspace","normal":[0,1,0],"offset":1}}]}""",
+            "$.objects[1].shape.parts[0].shape.type", "a part of a compound cannot be a half-space"),
         ("7", "$.objects[1].shape", "must be an object"),
     ];
 

@@ -32,6 +32,8 @@ public sealed class SceneTests
         { """{"type":"cone","radius":2,"halfHeight":1}""", ""","rotation":[0,0,-0.70710678,0.70710678]""", 9 },
         { """{"type":"ellipsoid","radii":[4,1,1]}""", "", 6 },
         { """{"type":"sphere","radius":1}""", ""","scale":[4,1,1]""", 6 },
+        { """{"type":"halfspace","normal":[2,0,0],"offset":4}""", "", 8 },
+        { """{"type":"halfspace","normal":[2,0,0],"offset":4,"rounding":1}""", ""","scale":[2,3,4]""", 4 },
         { """{"type":"mesh","mesh":"the hull"}""", "", 7 },
         { """{"type":"mesh","mesh":"the hull"}""", ""","scale":[-2,1,1]""", 8 },
         { """{"rounding":0.5,"type":"box","halfExtents":[1,2,3]}""", "", 8.5 },
