@@ -137,6 +137,15 @@ internal sealed class ScenePartQueries(SceneObjects objects)
         return found;
     }
 
+    /// <summary>The distances of all pairs of parts of two objects that are near.</summary>
+    public void FindDistances(
+        ObjectPair pair, float maxDistance, ConcaveScratch scratch, List<PairDistance> distances)
+    {
+        ConcaveQuery.FindPairsWithin(
+            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], maxDistance, scratch, distances);
+        for (int i = 0; i < distances.Count; i++) distances[i] = distances[i].Of(objects.IdsOf(pair));
+    }
+
     /// <summary>The depths of all pairs of parts of two objects.</summary>
     public void FindDepths(ObjectPair pair, ConcaveScratch scratch, List<PairDistance> depths)
     {

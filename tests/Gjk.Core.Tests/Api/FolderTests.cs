@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 89,
         ["Threading"] = 175,
         ["Wide"] = 942,
-        ["World"] = 1060,
+        ["World"] = 1140,
     };
 
     [Fact]
