@@ -38,7 +38,8 @@ internal static class TestServer
         }
     }
 
-    /// <summary>Each test that is not known, without a mutant: its time on the processor, whether it passes, what it reaches.</summary>
+    /// <summary>Each test that is not known, without a mutant: its time on the processor, whether it passes, what it
+    /// reaches.</summary>
     private static void Record(TestCatalog catalog, TextWriter output, HashSet<string> known)
     {
         foreach (string method in catalog.Methods)
