@@ -58,8 +58,7 @@ public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
     public int Support(in Double3 direction, out Double3 point) => _inner.Support(direction, out point);
 
     /// <inheritdoc/>
-    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
-        _inner.GetFace(direction, ref corners);
+    public void GetFace(in Double3 direction, ref FaceCorners corners) => _inner.GetFace(direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point) => _inner.TryGetVertex(id, out point);

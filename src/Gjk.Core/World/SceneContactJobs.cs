@@ -78,8 +78,7 @@ internal readonly struct SceneContactJob(
             DistanceResult depth = ConvexQuery.Contacts(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
                 maxGap, out manifold);
-            answers[i] = new PairContacts(
-                PartSide.NoPart, PartSide.NoPart, depth, manifold, objects.IdsOf(pair));
+            answers[i] = new PairContacts(PartSide.NoPart, PartSide.NoPart, depth, manifold, objects.IdsOf(pair));
         }
 
         if (scratch is not null) objects.Parts.Return(scratch);

@@ -124,8 +124,7 @@ internal static class AdvancementSolver
         Double3 normal = plane.Normal;
         double gap = -Double3.Dot(normal, motion.Between(plane.Start)) - frame.Margins;
         gap -= Reach(ref a, motion.A, frame.RotationA.InverseRotate(-normal), -normal);
-        gap -= Reach(
-            ref b, motion.B, frame.Rotation.InverseRotate(frame.RotationA.InverseRotate(normal)), normal);
+        gap -= Reach(ref b, motion.B, frame.Rotation.InverseRotate(frame.RotationA.InverseRotate(normal)), normal);
         if (!(gap > floor)) return false;
         double rate = -Double3.Dot(normal, motion.Velocity);
         next = rate < 0 ? Math.Min(plane.Start + (gap - floor) / -rate, end) : end;

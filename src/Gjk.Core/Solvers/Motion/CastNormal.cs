@@ -36,8 +36,7 @@ internal static class CastNormal
         double length = Math.Sqrt(feature.NormalSquared);
         if (!(length > 0)) return known;
         Double3 normal = feature.Normal * (-1 / length);
-        state.Simplex.Select(
-            vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
+        state.Simplex.Select(vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
         Double3 onA = state.Simplex.MeanOnA(ClosestPointWeights.Of(state.Simplex));
         frame.Translation = contact;
         double slope = -Double3.Dot(normal, line.Axis);

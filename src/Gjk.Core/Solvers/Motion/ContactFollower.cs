@@ -86,8 +86,7 @@ internal static class ContactFollower
             impact.Outcome = gap > 0 ? MotionVerdict.Over : MotionVerdict.Hit;
             if (gap + shrunk <= accepted || gap >= Ended * tolerance) return;
             frame.MarginA = margin - shrunk;
-            TurningPlane.Choose(
-                state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out plane);
+            TurningPlane.Choose(state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out plane);
             double next;
             bool isOver = TryEnd(
                 ref a, ref b, ref frame, motion, plane, interval.End, shrunk + Ended * tolerance, floor, out next);
