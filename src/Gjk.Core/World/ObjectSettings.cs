@@ -21,10 +21,8 @@ public readonly struct ObjectSettings : IEquatable<ObjectSettings>
     /// <param name="tag">A number of your own, which the scene keeps for you.</param>
     public ObjectSettings(bool isStatic = false, uint groups = DefaultGroup, uint mask = uint.MaxValue, long tag = 0)
     {
-        IsStatic = isStatic;
-        _groupFromDefault = groups ^ DefaultGroup;
-        _maskFromAll = ~mask;
-        Tag = tag;
+        (_groupFromDefault, _maskFromAll) = (groups ^ DefaultGroup, ~mask);
+        (IsStatic, Tag) = (isStatic, tag);
     }
 
     /// <summary>Whether the object is never tested against another static one.</summary>
