@@ -220,14 +220,15 @@ internal struct PairFrame
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Compose(ref a, poseA, ref b, poseB, out frame);
         Placement inA = placedA ?? Placement.None, inB = placedB ?? Placement.None;
         PoseComposition.Compose(
             poseA, inA.Turn, poseB, inB.Turn, out frame.RotationA, out frame.Rotation, out frame.Inverse,
             out frame._areRotations);
-        (frame.IsPlaced, frame._turnA, frame._turnB) = (true, inA.Turn, inB.Turn);
-        if (placedA is not null) frame.CenterA = inA.CenterInCore;
-        if (placedB is not null) frame.CenterB = inB.CenterInCore;
+        (frame.IsPlaced, frame.Unit, frame._turnA, frame._turnB) = (true, 1, inA.Turn, inB.Turn);
+        frame.CenterA = placedA is null ? a.Center : inA.CenterInCore;
+        frame.CenterB = placedB is null ? b.Center : inB.CenterInCore;
+        (frame.RadiusA, frame.RadiusB) = (a.BoundingRadius, b.BoundingRadius);
+        (frame.MarginA, frame.MarginB) = (a.Margin, b.Margin);
         double offset = frame.CenterA.SumOfMagnitudes + frame.CenterB.SumOfMagnitudes;
         if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
@@ -240,7 +241,8 @@ internal struct PairFrame
                 BetweenFarCenters(poseA, poseB, placedA?.ExactCenter ?? a.Center, placedB?.ExactCenter ?? b.Center));
         }
 
-        frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
+        frame.Magnitude =
+            frame.RadiusA + frame.RadiusB + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
     }
 
     /// <summary>The rotation of A's core in A's frame; null where neither core is placed.</summary>
