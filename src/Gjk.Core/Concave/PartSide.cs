@@ -27,8 +27,7 @@ internal sealed class PartSide
     public const int NoPart = -1;
 
     /// <summary>Whether it is a single point.</summary>
-    public bool IsPoint =>
-        IsConvex && _convex.Kind is (ShapeKind.Point or ShapeKind.Sphere) && _convex.Margin == 0;
+    public bool IsPoint => IsConvex && _convex.Kind is (ShapeKind.Point or ShapeKind.Sphere) && _convex.Margin == 0;
 
     public bool IsConvex => Mesh is null && Compound is null;
 

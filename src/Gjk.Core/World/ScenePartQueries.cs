@@ -102,8 +102,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     private PairDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
     {
         ConcaveScratch scratch = Rent();
-        PairDistance found = ConcaveQuery.Distance(
-            shape, pose, this[slot], objects.Poses[slot], scratch, maxDistance);
+        PairDistance found = ConcaveQuery.Distance(shape, pose, this[slot], objects.Poses[slot], scratch, maxDistance);
         Return(scratch);
         return found;
     }
