@@ -29,10 +29,8 @@ internal static class RayCylinder
         if (!TryCutSide(a, b, c, cross, radius, ref span)) return false;
         span.IsClose |= RayGraze.IsAlongSide(a, c, direction, radius, radius + halfHeight);
         span.Normal = new Double3(f.X + d.X * span.Enter, 0, f.Z + d.Z * span.Enter);
-        bool isLeft = span.Clip(halfHeight, foot.Y + direction.Y * shift, direction.Y, new Double3(0, 1, 0));
-        span.Enter += shift;
-        span.Exit += shift;
-        return isLeft;
+        span.Move(shift);
+        return span.Clip(halfHeight, foot.Y, direction.Y, new Double3(0, 1, 0));
     }
 
     /// <summary>The infinite cylinder: a circle in the plane across its axis. With f the foot and d the direction

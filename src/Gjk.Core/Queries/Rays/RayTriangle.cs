@@ -43,51 +43,41 @@ internal static class RayTriangle
         span.Normal = along > 0 ? -normal : normal;
         span.IsClose = false;
         if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return true;
-        return IsOnEdge(ray.Direction, b - c, c - a, a - b, normal, u, v, w)
-            && TryPass(ray.Direction, toA, toB, toC, ref span);
+        if (!IsOnEdge(ray.Direction, b - c, c - a, a - b, normal, u, v, w, out double least)) return false;
+
+        // A flat line may be between all edges but for rounding, and yet cross the plane far beside the edge that it
+        // passes, where another triangle is; or pass a sharp corner far out, between its edges.
+        return TryPass(ray.Direction, toB, toC, ref least, ref span)
+            | TryPass(ray.Direction, toC, toA, ref least, ref span)
+            | TryPass(ray.Direction, toA, toB, ref least, ref span);
     }
 
-    /// <summary>Where the line passes the nearest edge, if it does so closely. A flat line may be between all edges but
-    /// for rounding, and yet cross the plane far beside the edge that it passes, where another triangle is; or pass a
-    /// sharp corner far out, between its edges.</summary>
+    /// <summary>Where a line is nearest to an edge (Ericson 2005, section 5.1.9), if it passes it more closely than all
+    /// before.</summary>
     private static bool TryPass(
-        in Double3 direction, in Double3 toA, in Double3 toB, in Double3 toC, ref RaySpan span)
-    {
-        double longest = Math.Max((toB - toA).Length, Math.Max((toC - toB).Length, (toA - toC).Length));
-        double least = Graze * longest;
-        bool isNear = false;
-        Pass(direction, toB, toC, ref least, ref isNear, ref span);
-        Pass(direction, toC, toA, ref least, ref isNear, ref span);
-        Pass(direction, toA, toB, ref least, ref isNear, ref span);
-        return isNear;
-    }
-
-    /// <summary>Where a line of unit direction is nearest to an edge (Ericson 2005, section 5.1.9).</summary>
-    private static void Pass(
-        in Double3 direction, in Double3 toStart, in Double3 toEnd, ref double least, ref bool isNear, ref RaySpan span)
+        in Double3 direction, in Double3 toStart, in Double3 toEnd, ref double least, ref RaySpan span)
     {
         Double3 edge = toEnd - toStart, across = Double3.Cross(direction, edge);
         double along = Double3.Dot(Double3.Cross(toStart, direction), across) / across.LengthSquared;
         Double3 nearest = toStart + edge * Math.Min(Math.Max(along, 0), 1);
         double passed = Double3.Dot(nearest, direction) / direction.LengthSquared;
         double beside = (nearest - direction * passed).Length;
-        if (!(beside <= least)) return;
+        if (!(beside < least)) return false;
         least = beside;
-        isNear = true;
         span.Enter = span.Exit = passed;
+        return true;
     }
 
     /// <summary>Whether the volumes have one sign but for those of edges that the line passes closely, or flatly: a
     /// volume is the distance from the edge times the sine between line and edge.</summary>
     private static bool IsOnEdge(
         in Double3 direction, in Double3 bc, in Double3 ca, in Double3 ab, in Double3 normal, double u, double v,
-        double w)
+        double w, out double graze)
     {
         double p = bc.Length, q = ca.Length, r = ab.Length, longest = Math.Max(Math.Max(p, q), r);
         double beside = direction.Length * (BesideWide * normal.Length / longest + BesideLong * longest);
-        p *= beside;
-        q *= beside;
-        r *= beside;
+        (p, q, r) = (p * beside, q * beside, r * beside);
+        graze = Graze * longest;
         return (u >= -p && v >= -q && w >= -r) || (u <= p && v <= q && w <= r);
     }
 
