@@ -34,7 +34,7 @@ public class BuildCostOnMonoTests
         ("SegmentCore.UnitDot", Range), ("TriangleCore.FurthestInUnits", Range),
         ("XyzExtensions.ToDouble3", "so short that Mono inlines it unasked"),
         ("PairFrame.OutOfA", Placed), ("PairFrame.OutOfB", Placed), ("ConvexQuery.SettleImpact", Answer),
-        ("DistanceFinish.Common", "once, of pairs that overlap or touch"), ("ShapeParts.set_Scale", Making),
+        ("ShapeParts.set_Scale", Making),
         ("ClosestPointWeights.FaceWeightsExtended", Exact), ("ClosestPointWeights.VolumeWeightsExtended", Exact),
         ("NextSimplex.Nearest", "where more than one face sees the origin"),
         ("BestNormal.set_Normal", "once for each normal"),
