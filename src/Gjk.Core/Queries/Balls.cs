@@ -65,8 +65,7 @@ internal static class Balls
         {
             if (isFromB) worldA = worldB;
             else worldB = worldA;
-            normal = default;
-            gap = 0;
+            (normal, gap) = (default, 0);
         }
 
         DistanceResult.Write(

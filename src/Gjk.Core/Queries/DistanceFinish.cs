@@ -59,7 +59,7 @@ internal static class DistanceFinish
         if (frame.IsPlaced) OutOfCores(frame, ref localA, ref localB);
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
         {
-            PlaceB(poseB, localB, out worldB);
+            worldB = ToWorld(poseB, localB.ToDouble3()).ToXyz();
             if (!IsFarApart(gap, frame.RadiusA, frame.CenterA)) worldB.Plus(normal, -distance, out worldA);
         }
 
@@ -125,13 +125,8 @@ internal static class DistanceFinish
     private static void WriteUnmeasured(
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
     {
-        if (state.Verdict == Verdict.Beyond)
-        {
-            WriteBeyond(state, frame, out result);
-            return;
-        }
-
-        result = DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
+        if (state.Verdict == Verdict.Beyond) WriteBeyond(state, frame, out result);
+        else result = DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
         if (state.Verdict != Verdict.Enclosed) return;
         state.Simplex.PointOnA(state.Weights, out Xyz onA);
         state.Simplex.PointOnB(state.Weights, out Xyz onB);
@@ -144,10 +139,6 @@ internal static class DistanceFinish
         localA = frame.OutOfA(localA);
         localB = frame.OutOfB(localB);
     }
-
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void PlaceB(in RigidPose poseB, in Xyz localB, out Xyz worldB) =>
-        worldB = ToWorld(poseB, localB.ToDouble3()).ToXyz();
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void WriteBeyond(in SolverState state, in PairFrame frame, out DistanceResult result)
