@@ -88,7 +88,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Shapes"] = 965,
         ["Simplex"] = 900,
         ["Solvers"] = 614,
-        ["Solvers/Depth"] = 1252,
+        ["Solvers/Depth"] = 1254,
         ["Solvers/Motion"] = 919,
         ["Solvers/Trace"] = 126,
         ["Sorting"] = 89,
