@@ -6,7 +6,7 @@ namespace Gjk.Bench.Mono;
 /// <summary>The figures of the runtimes as text.</summary>
 internal static class MonoReport
 {
-    private const string Report = " report", CubesReport = "cubes cold" + Report;
+    private const string Report = " report", CubesReport = "cubes cold" + Report, Peer = " OpenGJKSharp";
 
     public static string Markdown(IReadOnlyList<Dictionary<string, double>> figures, string mono)
     {
@@ -69,7 +69,7 @@ internal static class MonoReport
     /// others.</summary>
     private static double Ratio(Dictionary<string, double> column, string row)
     {
-        string set = row.Replace(" depth", " cold", StringComparison.Ordinal);
+        string set = row.Replace(" depth", " cold", StringComparison.Ordinal).Split(Peer)[0];
         return column[row] / (row.EndsWith(Report, StringComparison.Ordinal)
             ? column[row]
             : column.GetValueOrDefault(set + Report, column[CubesReport]));

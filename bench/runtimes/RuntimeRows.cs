@@ -33,6 +33,11 @@ internal static class RuntimeRows
         yield return Row("spheres 515 depth", pairs, () => SceneQueries.Depth(spheres));
         yield return Row("hull 32 cold report", pairs, () => SceneQueries.BaselineDistance(hulls));
         yield return Row("hull 32 cold", pairs, () => SceneQueries.Distance(hulls));
+#if OPENGJKSHARP
+        var cubeCorners = BuiltInScenes.Cubes().Vertices.ToArray();
+        yield return OpenGjkSharpRows.Row("cubes cold", cubes, cubeCorners);
+        yield return OpenGjkSharpRows.Row("hull 32 cold", hulls, corners);
+#endif
         yield return Row("hull 32 depth", pairs, () => SceneQueries.Depth(hulls));
         yield return Cold("capsules cold", poses, ConvexShape.Capsule(0.3f, 0.4f));
         yield return Cold("balls cold", poses, ConvexShape.Sphere(0.5f));

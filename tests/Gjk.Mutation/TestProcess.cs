@@ -11,8 +11,16 @@ namespace Gjk.Mutation;
 /// it.</summary>
 internal sealed class TestProcess(string tests) : IDisposable
 {
-    /// <summary>Seconds: what a test may take beside ten times its usual time before it counts as hung.</summary>
+    /// <summary>Seconds of the processor: what a test may take beside ten times its usual time before it counts as
+    /// hung.</summary>
     private const double Patience = 8;
+
+    /// <summary>How many times longer a clock may run than the processor: other work on the machine is no fault of a
+    /// test, a test that waits for ever is.</summary>
+    private const double Sharing = 20;
+
+    /// <summary>Seconds between two looks at how much of the processor a test has had.</summary>
+    private const double Look = 0.5;
 
     private Process? _process;
     private BlockingCollection<string?> _lines = [];
@@ -66,8 +74,33 @@ internal sealed class TestProcess(string tests) : IDisposable
 
     public void Dispose() => Stop();
 
-    private string? Next(double seconds) =>
-        _lines.TryTake(out string? line, TimeSpan.FromSeconds(seconds)) ? line : null;
+    /// <summary>The next line; null where the process has ended, or has used so many seconds of the processor without
+    /// one.</summary>
+    private string? Next(double seconds)
+    {
+        double end = UsedSeconds() + seconds;
+        for (double waited = 0; waited < seconds * Sharing && UsedSeconds() < end; waited += Look)
+        {
+            if (_lines.TryTake(out string? line, TimeSpan.FromSeconds(Look))) return line;
+            if (_process!.HasExited) return _lines.TryTake(out line) ? line : null;
+        }
+
+        return null;
+    }
+
+    /// <summary>What the process has had of the processor; 0 once it has ended, which the caller sees.</summary>
+    private double UsedSeconds()
+    {
+        try
+        {
+            _process!.Refresh();
+            return _process.TotalProcessorTime.TotalSeconds;
+        }
+        catch (InvalidOperationException)
+        {
+            return 0;
+        }
+    }
 
     private void Start()
     {

@@ -1,6 +1,8 @@
 using System;
 using System.Diagnostics;
+#if NETFRAMEWORK
 using System.Linq;
+#endif
 using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Runtime.Versioning;

@@ -24,6 +24,7 @@ public class StaticsTests
     {
         ["PairQueries._scratch"] = "memory of the library's searches: no question reads what an earlier one left",
         ["PairQueries._parts"] = "cleared before each use; holds distances and no objects",
+        ["PairQueries._contacts"] = "cleared before each use; holds points and no objects",
         ["MeshPrint.Vertices"] = "overwritten before each use; holds numbers and no objects",
         ["ByReference.Comparer"] = "has no state",
         ["Benchmark.Kinds"] = "an array of names that nothing writes",

@@ -27,8 +27,7 @@ public readonly struct RayQuery
             throw new ArgumentOutOfRangeException(nameof(direction), direction, "Must not be zero.");
         if (!(maxDistance >= 0))
         {
-            throw new ArgumentOutOfRangeException(
-                nameof(maxDistance), maxDistance, "Must not be negative or NaN.");
+            throw new ArgumentOutOfRangeException(nameof(maxDistance), maxDistance, "Must not be negative or NaN.");
         }
 
         MaxDistance = maxDistance;

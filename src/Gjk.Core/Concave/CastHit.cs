@@ -26,11 +26,8 @@ public readonly struct CastHit : IComparable<CastHit>
         in CastResult result, int partA = PartSide.NoPart, int partB = PartSide.NoPart,
         MetFeature feature = MetFeature.None, int id = -1)
     {
-        Id = id;
         Result = result;
-        PartA = partA;
-        PartB = partB;
-        Feature = feature;
+        (Id, PartA, PartB, Feature) = (id, partA, partB, feature);
     }
 
     /// <summary>What was found.</summary>

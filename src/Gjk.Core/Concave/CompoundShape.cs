@@ -95,8 +95,7 @@ public sealed class CompoundShape
     {
         public int Count => compound.PartCount;
 
-        public void GetBox(int part, out Double3 min, out Double3 max) =>
-            (min, max) = compound.Boxes[part];
+        public void GetBox(int part, out Double3 min, out Double3 max) => (min, max) = compound.Boxes[part];
 
         public bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
         {

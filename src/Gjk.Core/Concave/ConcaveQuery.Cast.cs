@@ -68,8 +68,7 @@ public static partial class ConcaveQuery
         return Move(scratch, PartMotion.Impact, motionA, motionB, maxFraction, tolerance, options);
     }
 
-    private static CastHit InvalidCast =>
-        new(CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
+    private static CastHit InvalidCast => new(CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
 
     private static CastHit Move(
         ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
@@ -115,8 +114,7 @@ public static partial class ConcaveQuery
         {
             scratch.B.Pose = lifted;
             var still = new RigidMotion(a.Pose, Vector3.Zero);
-            CastHit start = Move(
-                scratch, PartMotion.Cast, still, new RigidMotion(lifted, Vector3.Zero), 0, 0, default);
+            CastHit start = Move(scratch, PartMotion.Cast, still, new RigidMotion(lifted, Vector3.Zero), 0, 0, default);
             if (!UnionLift.TryMove(start.Result, options, 1, ref lifted)) break;
             isLifted = true;
         }

@@ -57,8 +57,7 @@ public static partial class ConcaveQuery
 
     /// <summary>Whether a ray that begins on a solid's surface goes into it: no surface is crossed before the next hit,
     /// so the middle of the way there tells.</summary>
-    private static bool Enters(
-        ConcaveScratch scratch, Vector3 direction, in PartCastSearch search, float maxDistance)
+    private static bool Enters(ConcaveScratch scratch, Vector3 direction, in PartCastSearch search, float maxDistance)
     {
         double way = search.PartA >= 0 ? search.Ray.Distance : maxDistance;
         if (!(way > 0) || double.IsInfinity(way)) return false;
@@ -67,8 +66,7 @@ public static partial class ConcaveQuery
     }
 
     /// <summary>A normal of a triangle, on the side from which a motion comes.</summary>
-    private static Vector3 Facing(Vector3 normal, Vector3 motion) =>
-        Double3.Dot(normal, motion) > 0 ? -normal : normal;
+    private static Vector3 Facing(Vector3 normal, Vector3 motion) => Double3.Dot(normal, motion) > 0 ? -normal : normal;
 
     /// <summary>Where a ray meets each part of a shape.</summary>
     /// <param name="shape">The shape.</param>

@@ -45,9 +45,7 @@ internal readonly ref struct ContactCone
     /// <param name="direction">From the surface to the other shape, in its frame; of unit length.</param>
     public ContactCone(PartSide side, int triangle, in Double3 direction)
     {
-        _mesh = side.Mesh!;
-        _triangle = triangle;
-        _direction = direction;
+        (_mesh, _triangle, _direction) = (side.Mesh!, triangle, direction);
         _outward = side.IsSolid ? _mesh.OutwardOf(triangle) : 0;
     }
 

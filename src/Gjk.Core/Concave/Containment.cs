@@ -80,7 +80,6 @@ internal static class Containment
     private static VectorDD ToFrame(in RigidPose to, in VectorDD world)
     {
         Quaternion q = to.Rotation;
-        return VectorDD.Rotate(
-            new Quaternion(-q.X, -q.Y, -q.Z, q.W), world - (VectorDD)(Double3)to.Position);
+        return VectorDD.Rotate(new Quaternion(-q.X, -q.Y, -q.Z, q.W), world - (VectorDD)(Double3)to.Position);
     }
 }

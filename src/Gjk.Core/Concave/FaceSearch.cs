@@ -39,8 +39,7 @@ internal ref struct FaceSearch
     /// <param name="fitB">What B makes of it.</param>
     /// <param name="shapeA">The part of A.</param>
     /// <param name="shapeB">The part of B.</param>
-    public void Run(
-        in Double3 normal, ContactFit fitA, ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
+    public void Run(in Double3 normal, ContactFit fitA, ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
     {
         bool isMeshA = _scratch.A.Mesh is not null, isMeshB = _scratch.B.Mesh is not null;
         _isGhost = fitA == ContactFit.Ghost || fitB == ContactFit.Ghost;
@@ -73,8 +72,7 @@ internal ref struct FaceSearch
         }
     }
 
-    private void Try(
-        bool isOfA, in Double3 own, ContactFit fit, in ConvexShape shapeA, in ConvexShape shapeB)
+    private void Try(bool isOfA, in Double3 own, ContactFit fit, in ConvexShape shapeA, in ConvexShape shapeB)
     {
         PartSide mesh = isOfA ? _scratch.A : _scratch.B, other = isOfA ? _scratch.B : _scratch.A;
         int triangle = isOfA ? _pair.PartA : _pair.PartB, part = isOfA ? _pair.PartB : _pair.PartA;

@@ -25,8 +25,7 @@ public readonly struct PairContacts : IComparable<PairContacts>
         int partA, int partB, in DistanceResult result, in ContactManifold manifold, ObjectPair? pair = null)
     {
         Pair = pair ?? ObjectPair.None;
-        PartA = partA;
-        PartB = partB;
+        (PartA, PartB) = (partA, partB);
         Result = result;
         Manifold = manifold;
     }

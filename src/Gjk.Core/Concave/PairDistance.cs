@@ -24,8 +24,7 @@ public readonly struct PairDistance : IComparable<PairDistance>
     {
         Pair = pair ?? ObjectPair.None;
         Result = result;
-        PartA = partA;
-        PartB = partB;
+        (PartA, PartB) = (partA, partB);
     }
 
     /// <summary>What was found.</summary>

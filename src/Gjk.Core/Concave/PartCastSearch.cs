@@ -89,8 +89,7 @@ internal struct PartCastSearch
     public readonly double Last => Math.Min(_maxFraction, _best.Solved);
 
     /// <summary>World units: parts of an impact that are further apart do not touch.</summary>
-    public readonly double TouchRoom =>
-        Math.Max(Math.Min(_tolerance, MostRoom * Size), ImpactRoom * Size) * Beyond;
+    public readonly double TouchRoom => Math.Max(Math.Min(_tolerance, MostRoom * Size), ImpactRoom * Size) * Beyond;
 
     private readonly double Size => (_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins;
 

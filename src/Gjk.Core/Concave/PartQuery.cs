@@ -5,26 +5,24 @@ internal static class PartQuery
 {
     public static DistanceResult Distance(PartSide a, int partA, PartSide b, int partB, float maxDistance)
     {
-        if (a.Mesh is not null && b.Mesh is not null)
-        {
-            a.Mesh.GetCore(partA, out TriangleCore triangleA);
-            b.Mesh.GetCore(partB, out TriangleCore triangleB);
-            return ConvexQuery.Distance(triangleA, a.Pose, triangleB, b.Pose, maxDistance);
-        }
-
-        ConvexShape roomA = default, roomB = default;
+        if (a.Mesh is not null && b.Mesh is not null) return OfTriangles(a, partA, b, partB, maxDistance);
         if (a.Mesh is { IsScaled: false })
-        {
-            TriangleShape triangle = a.Mesh.GetPlain(partA);
-            return ConvexQuery.Distance(triangle, a.Pose, b.Part(partB, ref roomB), b.Pose, maxDistance);
-        }
-
+            return ConvexQuery.Distance(a.Mesh.GetPlain(partA), a.Pose, b.Convex(partB), b.Pose, maxDistance);
         if (b.Mesh is { IsScaled: false })
-        {
-            TriangleShape triangle = b.Mesh.GetPlain(partB);
-            return ConvexQuery.Distance(a.Part(partA, ref roomA), a.Pose, triangle, b.Pose, maxDistance);
-        }
+            return ConvexQuery.Distance(a.Convex(partA), a.Pose, b.Mesh.GetPlain(partB), b.Pose, maxDistance);
+        return OfShapes(a, partA, b, partB, maxDistance);
+    }
 
+    private static DistanceResult OfTriangles(PartSide a, int partA, PartSide b, int partB, float maxDistance)
+    {
+        a.Mesh!.GetCore(partA, out TriangleCore triangleA);
+        b.Mesh!.GetCore(partB, out TriangleCore triangleB);
+        return ConvexQuery.Distance(triangleA, a.Pose, triangleB, b.Pose, maxDistance);
+    }
+
+    private static DistanceResult OfShapes(PartSide a, int partA, PartSide b, int partB, float maxDistance)
+    {
+        ConvexShape roomA = default, roomB = default;
         return ConvexQuery.Distance(a.Part(partA, ref roomA), a.Pose, b.Part(partB, ref roomB), b.Pose, maxDistance);
     }
 

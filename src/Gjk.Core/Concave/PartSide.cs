@@ -30,8 +30,7 @@ internal sealed class PartSide
     public const int NoPart = -1;
 
     /// <summary>Whether it is a single point.</summary>
-    public bool IsPoint =>
-        IsConvex && _convex.Kind is (ShapeKind.Point or ShapeKind.Sphere) && _convex.Margin == 0;
+    public bool IsPoint => IsConvex && _convex.Kind is (ShapeKind.Point or ShapeKind.Sphere) && _convex.Margin == 0;
 
     /// <summary>Whether it is a half-space: its box holds everything, so each part of the other is asked.</summary>
     public bool IsEndless => IsConvex && _convex.Kind == ShapeKind.HalfSpace;
@@ -72,10 +71,16 @@ internal sealed class PartSide
     /// <summary>A part as a convex shape; it may be written to the room that is given.</summary>
     public ref readonly ConvexShape Part(int part, ref ConvexShape room)
     {
-        if (Compound is not null) return ref Compound.Parts[part];
-        if (Mesh is null) return ref _convex;
+        if (Mesh is null) return ref Convex(part);
         room = Mesh.GetShape(part);
         return ref room;
+    }
+
+    /// <summary>A part of what is no mesh.</summary>
+    public ref readonly ConvexShape Convex(int part)
+    {
+        if (Compound is not null) return ref Compound.Parts[part];
+        return ref _convex;
     }
 
     /// <summary>The number of a part in results.</summary>
@@ -95,26 +100,21 @@ internal sealed class PartSide
         }
 
         // Not the centre, which is the middle of a hull's box and need not be in the hull.
-        ConvexShape room = default;
-        ref readonly ConvexShape shape = ref Part(part, ref room);
+        ref readonly ConvexShape shape = ref Convex(part);
         shape.Support(new Double3(1, 0, 0), out Double3 point);
         return shape.Center + point;
     }
 
     /// <summary>The middle of a triangle, or a convex part's centre, in the world; double rounds it.</summary>
-    public Double3 CenterOf(int part)
-    {
-        ConvexShape room = default;
-        return CoveredSides.InWorld(Mesh is null ? Part(part, ref room).Center : MiddleOf(Mesh, part), Pose);
-    }
+    public Double3 CenterOf(int part) =>
+        CoveredSides.InWorld(Mesh is null ? Convex(part).Center : MiddleOf(Mesh, part), Pose);
 
     /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
     public Double3 MiddleOf(int piece, out int part)
     {
         part = Mesh is not null ? Mesh.Components[piece] : piece;
         if (Mesh is not null) return MiddleOf(Mesh, part);
-        ConvexShape room = default;
-        ref readonly ConvexShape shape = ref Part(part, ref room);
+        ref readonly ConvexShape shape = ref Convex(part);
         Double3 sum = default;
         for (int i = 0; i < 6; i++)
         {

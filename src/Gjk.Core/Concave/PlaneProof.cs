@@ -90,8 +90,7 @@ internal sealed class PlaneProof
         return IsAcross(a, partA, b, partB, a, partA, between) || IsAcross(a, partA, b, partB, b, partB, between);
     }
 
-    private bool IsAcross(
-        PartSide a, int partA, PartSide b, int partB, PartSide side, int part, in Double3 direction)
+    private bool IsAcross(PartSide a, int partA, PartSide b, int partB, PartSide side, int part, in Double3 direction)
     {
         Double3 normal = direction;
         if (!TryFace(side, part, 0, ref normal)) return false;
@@ -205,8 +204,7 @@ internal sealed class PlaneProof
             if (side.Mesh is not null)
             {
                 side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-                return Math.Max(
-                    Math.Max(Double3.Dot(along, a), Double3.Dot(along, b)), Double3.Dot(along, c));
+                return Math.Max(Math.Max(Double3.Dot(along, a), Double3.Dot(along, b)), Double3.Dot(along, c));
             }
 
             ConvexShape room = default;

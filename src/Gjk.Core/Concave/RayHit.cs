@@ -15,9 +15,8 @@ public readonly struct RayHit : IComparable<RayHit>
 
     internal RayHit(in RayCastResult result, int part = PartSide.NoPart, int id = -1)
     {
-        Id = id;
         Result = result;
-        Part = part;
+        (Id, Part) = (id, part);
     }
 
     /// <summary>What was found.</summary>

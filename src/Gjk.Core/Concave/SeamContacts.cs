@@ -127,8 +127,7 @@ internal static class SeamContacts
             : GoesOn(scratch, side, isA ? one.PartA : one.PartB, cover.Witness(one), cover.Outward(one));
     }
 
-    private static bool IsCovered(
-        ConcaveScratch scratch, PartSide side, bool isA, in PairContacts one, bool isAtJoint)
+    private static bool IsCovered(ConcaveScratch scratch, PartSide side, bool isA, in PairContacts one, bool isAtJoint)
     {
         var cover = new PartsCover(scratch, isA, one);
         if (!CoveredSides.IsAnyAcross(scratch.Planes, cover.Outward(one))) return isAtJoint;
@@ -181,14 +180,12 @@ internal static class SeamContacts
     }
 
     /// <summary>Whether another part of a compound holds a point of one in the world and reaches beyond it.</summary>
-    public static bool GoesOn(
-        ConcaveScratch scratch, PartSide side, int part, in Double3 point, in Double3 direction)
+    public static bool GoesOn(ConcaveScratch scratch, PartSide side, int part, in Double3 point, in Double3 direction)
     {
         if (side.Compound is null) return false;
         RotationD turn = new(side.Pose.Rotation);
         Double3 local = turn.InverseRotate(point - side.Pose.Position);
-        return CoveredSides.GoesOn(
-            scratch, AnyShape.Of(side.Compound), part, local, turn.InverseRotate(direction));
+        return CoveredSides.GoesOn(scratch, AnyShape.Of(side.Compound), part, local, turn.InverseRotate(direction));
     }
 
     /// <summary>Whether a body ends at a part along a direction in the world.</summary>

@@ -89,8 +89,7 @@ internal static class SolidExit
     }
 
     /// <summary>The way out of a part that touches some triangles.</summary>
-    private static Exit OfPart(
-        ConcaveScratch scratch, PartSide outer, PartSide inner, int part, int first, int end)
+    private static Exit OfPart(ConcaveScratch scratch, PartSide outer, PartSide inner, int part, int first, int end)
     {
         List<PairDistance> pairs = scratch.Pairs;
         Double3 middle = inner.CenterOf(part);

@@ -60,8 +60,7 @@ public sealed partial class TriangleMesh
 
         if (!IsSpacing(spacing.X, columns) || !IsSpacing(spacing.Y, rows))
             throw new ArgumentOutOfRangeException(nameof(spacing), spacing, "The grid has no such spacing.");
-        return new TriangleMesh(
-            new TriangleList(copy, columns, spacing), new MeshTopology(columns, rows), Vector3.One);
+        return new TriangleMesh(new TriangleList(copy, columns, spacing), new MeshTopology(columns, rows), Vector3.One);
     }
 
     private static bool IsSpacing(float spacing, int lines) =>

@@ -109,8 +109,7 @@ internal readonly struct Candidate(double u, double v, double heightA, double he
     public Candidate Named(long id) => new(U, V, HeightA, HeightB, id);
 
     /// <summary>The squared distance of another.</summary>
-    public double SquaredTo(in Candidate other) =>
-        (U - other.U) * (U - other.U) + (V - other.V) * (V - other.V);
+    public double SquaredTo(in Candidate other) => (U - other.U) * (U - other.U) + (V - other.V) * (V - other.V);
 
     /// <summary>Twice the area of a triangle, positive where it runs counter-clockwise.</summary>
     public static double Area(in Candidate p, in Candidate q, in Candidate r) =>

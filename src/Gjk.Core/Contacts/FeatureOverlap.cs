@@ -21,8 +21,7 @@ internal static unsafe class FeatureOverlap
     /// <param name="places">Gets the corners, of which an edge has two, and those that cutting it adds twice; room for
     /// <see cref="Capacity"/>.</param>
     /// <returns>How many there are.</returns>
-    public static int Find(
-        ref FlatFeature cut, ref FlatFeature cutter, bool isACut, double slack, ContactPlace* places)
+    public static int Find(ref FlatFeature cut, ref FlatFeature cutter, bool isACut, double slack, ContactPlace* places)
     {
         CutCorner* memory = stackalloc CutCorner[2 * Capacity];
         CutCorner* corners = memory, other = memory + Capacity;

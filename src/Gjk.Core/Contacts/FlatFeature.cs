@@ -279,8 +279,7 @@ internal unsafe struct FlatFeature
         Keep(Math.Min(first, second), Math.Max(first, second));
     }
 
-    private void Keep(int first, int last) =>
-        (_corners[0], _corners[1], Count) = (_corners[first], _corners[last], 2);
+    private void Keep(int first, int last) => (_corners[0], _corners[1], Count) = (_corners[first], _corners[last], 2);
 
     private readonly int Furthest(int from)
     {

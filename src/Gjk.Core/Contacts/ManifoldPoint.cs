@@ -44,6 +44,5 @@ public readonly struct ManifoldPoint
         new(PointB, PointA, LocalPointB, LocalPointA, Gap, ContactFeature.Swapped(FeatureId));
 
     /// <summary>Gap and place, for people to read.</summary>
-    public override string ToString() =>
-        FormattableString.Invariant($"{Gap:G9} at {((Double3)PointA).ToText()}");
+    public override string ToString() => FormattableString.Invariant($"{Gap:G9} at {((Double3)PointA).ToText()}");
 }

@@ -34,8 +34,7 @@ internal struct BoxCore : ISupportMap, IPlainBody
 
     readonly object ILibraryShape.MakeTraits() => new PlainTraits<BoxCore>();
 
-    public readonly bool TryGetForm(out ShapeForm form) =>
-        ShapeForm.Of(FormKind.Box, Half.Xyz, out form);
+    public readonly bool TryGetForm(out ShapeForm form) => ShapeForm.Of(FormKind.Box, Half.Xyz, out form);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly FormKind GetPlain(out Double3 size)

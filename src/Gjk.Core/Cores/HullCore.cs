@@ -15,8 +15,7 @@ internal readonly struct HullCore(ConvexHull hull, double radius, double margin)
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<HullCore>();
 
-    public bool TryGetForm(out ShapeForm form) =>
-        ShapeForm.Of(_hull, out form);
+    public bool TryGetForm(out ShapeForm form) => ShapeForm.Of(_hull, out form);
 
     public int Support(in Double3 direction, out Double3 point)
     {

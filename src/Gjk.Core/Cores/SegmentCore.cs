@@ -106,7 +106,6 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
 
     /// <summary>An end, measured from the centre, and a 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Vector256<double> Lanes(int id) =>
-        (id & 1) == 0 ? _first.Lanes : _second.Lanes;
+    public readonly Vector256<double> Lanes(int id) => (id & 1) == 0 ? _first.Lanes : _second.Lanes;
 #endif
 }

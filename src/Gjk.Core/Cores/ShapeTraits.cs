@@ -27,17 +27,11 @@ internal class ShapeTraits<T>
     /// <inheritdoc cref="CanBePlaced"/>
     protected virtual bool MayBePlaced => false;
 
-    /// <summary>Whether a shape is placed.</summary>
-    public virtual bool IsPlaced(ref T shape) => false;
+    /// <summary>Where a shape's core is in its frame; null where it is not placed.</summary>
+    public virtual Placement? PlacementOf(ref T shape) => null;
 
     /// <summary>The shape in the axes of its core; itself where it is not placed.</summary>
-    /// <param name="shape">The shape.</param>
-    /// <param name="placement">Where its core is; null where it is not placed.</param>
-    public virtual T InCoreAxes(in T shape, out Placement? placement)
-    {
-        placement = null;
-        return shape;
-    }
+    public virtual T InCoreAxes(in T shape) => shape;
 
     /// <inheritdoc cref="ILibraryShape.TryGetForm"/>
     public virtual bool TryGetForm(ref T shape, out ShapeForm form) => ShapeForm.None(out form);
@@ -65,11 +59,11 @@ internal interface ILibraryShape : ISupportMap
 /// <typeparam name="T">Its own type.</typeparam>
 internal interface IPlacedShape<T> : ILibraryShape
 {
-    /// <inheritdoc cref="ShapeTraits{T}.IsPlaced"/>
-    bool IsPlaced { get; }
+    /// <inheritdoc cref="ShapeTraits{T}.PlacementOf"/>
+    Placement? Placement { get; }
 
     /// <inheritdoc cref="ShapeTraits{T}.InCoreAxes"/>
-    T InCoreAxes(out Placement? placement);
+    T InCoreAxes();
 }
 
 /// <summary>A shape that may be a ball or a box about its centre, and says so in short.</summary>
@@ -103,7 +97,7 @@ internal class PlacedTraits<T>(bool isTight) : LibraryTraits<T>(isTight)
 {
     protected override bool MayBePlaced => true;
 
-    public override bool IsPlaced(ref T shape) => shape.IsPlaced;
+    public override Placement? PlacementOf(ref T shape) => shape.Placement;
 
-    public override T InCoreAxes(in T shape, out Placement? placement) => shape.InCoreAxes(out placement);
+    public override T InCoreAxes(in T shape) => shape.InCoreAxes();
 }

@@ -102,8 +102,7 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
     }
 
     /// <summary>A triangle, from either side, or one of its edges or corners.</summary>
-    public static void Face(
-        in Double3 a, in Double3 b, in Double3 c, in Double3 direction, ref FaceCorners corners)
+    public static void Face(in Double3 a, in Double3 b, in Double3 c, in Double3 direction, ref FaceCorners corners)
     {
         Double3 normal = Double3.Cross(b - a, c - a);
         if (FaceTilt.IsLevelFace(normal, direction, corners) || FaceTilt.IsLevelFace(-normal, direction, corners))

@@ -163,8 +163,7 @@ public static partial class AnswerCheck
         where TB : struct, ISupportMap
     {
         PosedPair swept = pair.Moved(default, way);
-        WitnessWalk walk = WitnessWalk.Of(
-            ref a, ref b, swept, hint, double.Epsilon, double.PositiveInfinity);
+        WitnessWalk walk = WitnessWalk.Of(ref a, ref b, swept, hint, double.Epsilon, double.PositiveInfinity);
         isCrossed = walk.Lower <= 0 && IsDeep(ref a, ref b, swept, walk);
         return walk.Lower > 0;
     }

@@ -96,8 +96,7 @@ public static partial class AnswerCheck
         if (isDepth) walk.Lower = Math.Max(walk.Lower, Leaving(ref a, ref b, pair, answer, allowed));
         claims.IsAtMost = isDepth && walk.Upper > most;
         claims.Add(IsOfStatus(answer, isSigned));
-        claims.Add(
-            walk.IsWithin(least, isDepth ? Math.Max(most, Touch(pair)) : most), walk.IsBeyond(least, most));
+        claims.Add(walk.IsWithin(least, isDepth ? Math.Max(most, Touch(pair)) : most), walk.IsBeyond(least, most));
 
         // Of shapes that are said to be apart 0 says nothing more.
         double upper = isSigned && !isSeparated ? walk.Upper : Math.Max(walk.Upper, 0);

@@ -30,12 +30,8 @@ public readonly struct CheckedAnswer
     /// <summary>The true number is not above this; +infinity where nothing is known.</summary>
     public readonly double UpperBound;
 
-    internal CheckedAnswer(CheckStatus status, double lowerBound, double upperBound)
-    {
-        Status = status;
-        LowerBound = lowerBound;
-        UpperBound = upperBound;
-    }
+    internal CheckedAnswer(CheckStatus status, double lowerBound, double upperBound) =>
+        (Status, LowerBound, UpperBound) = (status, lowerBound, upperBound);
 
     /// <summary>What is proved and the bounds, for people to read.</summary>
     public override string ToString() =>

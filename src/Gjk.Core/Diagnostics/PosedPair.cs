@@ -159,8 +159,7 @@ internal struct PosedPair
             _z = new Double3((x * z - w * y) * t, (y * z + w * x) * t, (ww + zz - (xx + yy)) * s);
         }
 
-        public Double3 Out(in Double3 v) =>
-            new(Double3.Dot(_x, v), Double3.Dot(_y, v), Double3.Dot(_z, v));
+        public Double3 Out(in Double3 v) => new(Double3.Dot(_x, v), Double3.Dot(_y, v), Double3.Dot(_z, v));
 
         public Double3 In(in Double3 v) => _x * v.X + _y * v.Y + _z * v.Z;
     }

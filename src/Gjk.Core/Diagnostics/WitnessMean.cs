@@ -80,8 +80,7 @@ internal struct WitnessMean
     /// <param name="b">The third.</param>
     /// <param name="c">The fourth, if there is one.</param>
     /// <param name="third">From p to c, or across the plane.</param>
-    private void TryWeights(
-        int count, in Double3 p, in Double3 a, in Double3 b, in Double3 c, in Double3 third)
+    private void TryWeights(int count, in Double3 p, in Double3 a, in Double3 b, in Double3 c, in Double3 third)
     {
         Double3 first = a - p, second = b - p, overA = Double3.Cross(second, third);
         Double3 overB = Double3.Cross(third, first), overC = Double3.Cross(first, second), mean = p;

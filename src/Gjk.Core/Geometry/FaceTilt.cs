@@ -17,8 +17,7 @@ internal static unsafe class FaceTilt
     public static bool IsLevelFace(in Double3 normal, in Double3 direction)
     {
         double along = Double3.Dot(normal, direction);
-        return along > 0
-            && along * along >= LeastCosine * LeastCosine * normal.LengthSquared * direction.LengthSquared;
+        return along > 0 && along * along >= LeastCosine * LeastCosine * normal.LengthSquared * direction.LengthSquared;
     }
 
     /// <summary>Whether a face lies level enough as it is seen from outside.</summary>

@@ -94,8 +94,7 @@ public readonly struct RigidPose : IEquatable<RigidPose>
         bool isAffine = matrix.M14 == 0 && matrix.M24 == 0 && matrix.M34 == 0 && matrix.M44 == 1;
         if (!(off <= UnitTolerance) || !(Math.Abs(x.Length() - 1) <= UnitTolerance) || !isAffine)
             throw new ArgumentException("Must be a rotation and a translation, and nothing else.", nameof(matrix));
-        return new RigidPose(
-            Quaternion.Normalize(Quaternion.CreateFromRotationMatrix(matrix)), matrix.Translation);
+        return new RigidPose(Quaternion.Normalize(Quaternion.CreateFromRotationMatrix(matrix)), matrix.Translation);
     }
 
     /// <summary>Exact equality of all seven numbers (q and -q are the same rotation but not equal here).</summary>

@@ -170,7 +170,7 @@ internal struct PairFrame
     private static void Tighten<T>(ref T shape, double margin, ref double radius)
         where T : struct, ISupportMap
     {
-        T core = ShapeTraits<T>.Of.InCoreAxes(shape, out _);
+        T core = ShapeTraits<T>.Of.InCoreAxes(shape);
         radius = Math.Min(radius, CoreExtent.Radius(ref core) + margin);
     }
 
@@ -212,29 +212,23 @@ internal struct PairFrame
         return rounded.SumOfMagnitudes > error ? rounded : default;
     }
 
-    /// <summary>The same for shapes of which one is placed: the frame of their cores, in the cores' axes.</summary>
+    /// <summary>The same for cores of which one is placed in its shape's frame, in the cores' axes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void ComposePlaced<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, out PairFrame frame)
+        ref TA a, in RigidPose poseA, Placement? placedA, ref TB b, in RigidPose poseB, Placement? placedB,
+        out PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out Placement? placedA);
-        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out Placement? placedB);
         Placement inA = placedA ?? Placement.None, inB = placedB ?? Placement.None;
-        frame._turnA = inA.Turn;
-        frame._turnB = inB.Turn;
         PoseComposition.Compose(
             poseA, inA.Turn, poseB, inB.Turn, out frame.RotationA, out frame.Rotation, out frame.Inverse,
             out frame._areRotations);
-        frame.IsPlaced = true;
-        frame.CenterA = placedA is null ? coreA.Center : inA.CenterInCore;
-        frame.CenterB = placedB is null ? coreB.Center : inB.CenterInCore;
-        frame.RadiusA = coreA.BoundingRadius;
-        frame.RadiusB = coreB.BoundingRadius;
-        frame.MarginA = coreA.Margin;
-        frame.MarginB = coreB.Margin;
-        frame.Unit = 1;
+        (frame.IsPlaced, frame.Unit, frame._turnA, frame._turnB) = (true, 1, inA.Turn, inB.Turn);
+        frame.CenterA = placedA is null ? a.Center : inA.CenterInCore;
+        frame.CenterB = placedB is null ? b.Center : inB.CenterInCore;
+        (frame.RadiusA, frame.RadiusB) = (a.BoundingRadius, b.BoundingRadius);
+        (frame.MarginA, frame.MarginB) = (a.Margin, b.Margin);
         double offset = frame.CenterA.SumOfMagnitudes + frame.CenterB.SumOfMagnitudes;
         if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
@@ -244,9 +238,7 @@ internal struct PairFrame
         else
         {
             frame.Translation = frame.RotationA.InverseRotate(
-                BetweenFarCenters(
-                    poseA, poseB, placedA is null ? coreA.Center : inA.ExactCenter,
-                    placedB is null ? coreB.Center : inB.ExactCenter));
+                BetweenFarCenters(poseA, poseB, placedA?.ExactCenter ?? a.Center, placedB?.ExactCenter ?? b.Center));
         }
 
         frame.Magnitude =

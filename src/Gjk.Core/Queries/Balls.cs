@@ -19,16 +19,17 @@ internal static class Balls
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        Double3 centerA = a.Center, centerB = b.Center;
+        double marginA = a.Margin, marginB = b.Margin, margins = marginA + marginB;
         double turnA = InverseTurn(poseA.Rotation), turnB = InverseTurn(poseB.Rotation);
-        Double3 between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
-        double gap = BallGap(between, a.Margin, b.Margin, out double root);
-        if (!IsBallGap(gap, a.Margin, b.Margin) || !(turnA > 0) || !(turnB > 0) || float.IsNaN(maxDistance))
+        Double3 between = PairFrame.BetweenCenters(poseA, centerA, poseB, centerB);
+        double gap = BallGap(between, marginA, marginB, out double root);
+        if (!IsBallGap(gap, marginA, marginB) || !(turnA > 0) || !(turnB > 0) || float.IsNaN(maxDistance))
         {
             result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
             return;
         }
 
-        double margins = a.Margin + b.Margin;
         Double3 normal = root > 0 ? between * (1 / root) : isSigned ? new Double3(1, 0, 0) : default;
         Back(poseA.Rotation, turnA, normal, out Double3 inA);
         Back(poseB.Rotation, turnB, normal, out Double3 inB);
@@ -41,19 +42,19 @@ internal static class Balls
 
         // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
         double share = touching && !isSigned && margins > 0 ? root / margins : 1;
-        double reachA = share * a.Margin, reachB = share * b.Margin;
-        Double3.Plus(Place(poseA, a.Center), normal, reachA, out Double3 worldA);
+        double reachA = share * marginA, reachB = share * marginB;
+        Double3.Plus(Place(poseA, centerA), normal, reachA, out Double3 worldA);
         Double3.Plus(worldA, normal, gap, out Double3 worldB);
-        bool isFromB = DistanceFinish.IsSmallerB(a.Margin, b.Margin, b.Center, DistanceFinish.MuchSmaller)
-            || DistanceFinish.IsFarApart(gap, b.Margin, b.Center);
+        bool isFromB = DistanceFinish.IsSmallerB(marginA, marginB, centerB, DistanceFinish.MuchSmaller)
+            || DistanceFinish.IsFarApart(gap, marginB, centerB);
         if (isFromB)
         {
-            Double3.Plus(Place(poseB, b.Center), normal, -reachB, out worldB);
-            if (!DistanceFinish.IsFarApart(gap, a.Margin, a.Center)) Double3.Plus(worldB, normal, -gap, out worldA);
+            Double3.Plus(Place(poseB, centerB), normal, -reachB, out worldB);
+            if (!DistanceFinish.IsFarApart(gap, marginA, centerA)) Double3.Plus(worldB, normal, -gap, out worldA);
         }
 
-        Double3.Plus(a.Center, inA, reachA, out Double3 localA);
-        Double3.Plus(b.Center, inB, -reachB, out Double3 localB);
+        Double3.Plus(centerA, inA, reachA, out Double3 localA);
+        Double3.Plus(centerB, inB, -reachB, out Double3 localB);
         float bound = 0;
         if (!touching || isSigned)
         {
@@ -64,8 +65,7 @@ internal static class Balls
         {
             if (isFromB) worldA = worldB;
             else worldB = worldA;
-            normal = default;
-            gap = 0;
+            (normal, gap) = (default, 0);
         }
 
         DistanceResult.Write(

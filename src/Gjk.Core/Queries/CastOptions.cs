@@ -44,8 +44,7 @@ public readonly struct CastOptions : IEquatable<CastOptions>
     public static bool operator !=(CastOptions a, CastOptions b) => !a.Equals(b);
 
     /// <inheritdoc/>
-    public bool Equals(CastOptions other) =>
-        PassesShallow == other.PassesShallow && AllowedDepth == other.AllowedDepth;
+    public bool Equals(CastOptions other) => PassesShallow == other.PassesShallow && AllowedDepth == other.AllowedDepth;
 
     /// <inheritdoc/>
     public override bool Equals(object? obj) => obj is CastOptions other && Equals(other);

@@ -39,13 +39,9 @@ public readonly struct CastResult
     private CastResult(
         CastStatus status, float fraction, double solved, Vector3 point, Vector3 normal, int iterations, float depth)
     {
-        Status = status;
-        Fraction = fraction;
-        _solved = solved;
+        (Status, Fraction, _solved, Depth, Iterations) = (status, fraction, solved, depth, iterations);
         Point = point;
         Normal = normal;
-        Depth = depth;
-        Iterations = iterations;
     }
 
     /// <summary>True when a contact was found that counts: on the way, or at the start.</summary>

@@ -119,7 +119,7 @@ public static unsafe partial class ConvexQuery
         {
             Double3 motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
             var part = new DeepeningPart(_part.From, _part.To, _part.Allowed / frame.Unit, _part.Slope);
-            _verdict = DeepeningSolver.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
+            _verdict = DeepeningSolver<TA, TB>.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
         }
 
         readonly void IPairSolver<MotionVerdict>.Finish(

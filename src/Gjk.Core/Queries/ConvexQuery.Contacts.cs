@@ -89,8 +89,8 @@ public static unsafe partial class ConvexQuery
         manifold = default;
         manifold.Begin((Vector3)normal);
         plane.SetAlong(plane.Frame.RotationA.InverseRotate(normal));
-        ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(a, out _) : a;
-        ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(b, out _) : b;
+        ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(a) : a;
+        ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(b) : b;
         TryAddFaces(ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
         if (manifold.Count == 0) manifold.Clear();
     }
@@ -145,8 +145,8 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
-        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
+        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a);
+        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b);
         AddPoints(ref coreA, poseA, ref coreB, ref plane, result, maxGap, ref manifold);
     }
 

@@ -67,12 +67,13 @@ public static unsafe partial class ConvexQuery
             double allowed = _options.AllowedDepth / frame.Unit;
             while (true)
             {
-                ContactFollower.Solve(ref a, ref b, ref frame, ref motion, interval, tolerance, allowed, ref impact);
+                ContactFollower<TA, TB>.Solve(
+                    ref a, ref b, ref frame, ref motion, interval, tolerance, allowed, ref impact);
                 if (impact.Outcome != MotionVerdict.Over) break;
                 Impact past = impact;
-                AdvancementSolver.Solve(
+                AdvancementSolver<TA, TB>.Solve(
                     ref a, ref b, ref frame, ref motion, new FractionInterval(impact.Fraction, interval.End), tolerance,
-                    AdvancementSolver.FloorRatio * tolerance, leaves: true, ref *_warm, out impact,
+                    Impact.FloorRatio * tolerance, leaves: true, ref *_warm, out impact,
                     out SolverState state);
                 impact.Iterations += past.Iterations;
                 impact.Steps += past.Steps;
@@ -80,7 +81,7 @@ public static unsafe partial class ConvexQuery
                 if (contact.Status != CastStatus.Hit || !_options.PassesShallow) return contact;
                 interval = new FractionInterval(contact.Fraction, interval.End);
                 impact.Outcome = MotionVerdict.Undecided;
-                if (impact.Steps >= AdvancementSolver.MaxSteps) break;
+                if (impact.Steps >= Impact.MaxSteps) break;
             }
 
             if (impact.Outcome == MotionVerdict.Hit)

@@ -52,7 +52,7 @@ public static unsafe partial class ConvexQuery
                 if (impact.Outcome == MotionVerdict.Hit)
                     contact = search.Contact(ref other, _motionA, _motionB, impact);
                 follows = _follows && _options.PassesShallow && impact.Outcome == MotionVerdict.Hit
-                    && impact.Steps < AdvancementSolver.MaxSteps;
+                    && impact.Steps < Impact.MaxSteps;
                 if (!follows) break;
             }
 

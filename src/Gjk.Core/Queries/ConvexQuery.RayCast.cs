@@ -200,7 +200,7 @@ public static partial class ConvexQuery
             if (frame.Translation.LengthSquared > FarOrigin * FarOrigin * frame.RadiusA * frame.RadiusA
                 && frame.RadiusA > 0)
             {
-                ShapeTraits<TA>.Of.InCoreAxes(a, out Placement? placed);
+                Placement? placed = ShapeTraits<TA>.Of.PlacementOf(ref a);
                 VectorDD center = placed is null ? a.Center : placed.ExactCenter;
                 LocalRay.MakeFar(poseA, center, _line, out LocalRay ray);
                 _begin = ray.Shift - Anew * frame.RadiusA;

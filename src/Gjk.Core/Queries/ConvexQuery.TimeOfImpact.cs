@@ -214,7 +214,7 @@ public static unsafe partial class ConvexQuery
         void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
         {
             if (frame.Unit != 1) _motion.Resize(1 / frame.Unit);
-            double tolerance = ToleranceOf(frame, _motion, _last), floor = AdvancementSolver.FloorRatio * tolerance;
+            double tolerance = ToleranceOf(frame, _motion, _last), floor = Impact.FloorRatio * tolerance;
             var interval = new FractionInterval(_begin, _end);
             if (_follows)
             {
@@ -223,7 +223,7 @@ public static unsafe partial class ConvexQuery
             }
 
             if (_isWindow) (tolerance, floor) = (WindowRoom * tolerance, tolerance);
-            AdvancementSolver.Solve(
+            AdvancementSolver<TA, TB>.Solve(
                 ref a, ref b, ref frame, ref _motion, interval, tolerance, floor, !_isWindow, ref *_warm,
                 out Impact impact, out state);
             _found = Finish(impact, state, ref frame, _motion, _isWhole);

@@ -11,7 +11,7 @@ internal static class CoreOf
     {
         if (typeof(T) == typeof(ConvexShape))
             return (Uncleared.As<T, ConvexShape>(ref shape).Core & FormKind.Moved) != 0;
-        return ShapeTraits<T>.CanBePlaced && ShapeTraits<T>.Of.IsPlaced(ref shape);
+        return ShapeTraits<T>.CanBePlaced && ShapeTraits<T>.Of.PlacementOf(ref shape) is not null;
     }
 
     /// <summary>What a shape can be unwrapped to.</summary>

@@ -20,31 +20,25 @@ internal static class DistanceFinish
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, double maxDistance,
         bool isSigned, out DistanceResult result)
     {
-        if (state.Verdict is Verdict.Contradiction or Verdict.Beyond)
+        if (state.Verdict is Verdict.Contradiction or Verdict.Beyond or Verdict.Enclosed)
         {
-            result = state.Verdict == Verdict.Beyond
-                ? Beyond(state, frame)
-                : DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
+            WriteUnmeasured(state, frame, poseA, poseB, out result);
             return;
         }
 
         state.Simplex.PointOnA(state.Weights, out Xyz onA);
         state.Simplex.PointOnB(state.Weights, out Xyz onB);
-        if (state.Verdict == Verdict.Enclosed)
-        {
-            result = Common(state, frame, poseA, poseB, onA, onB);
-            return;
-        }
-
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = Proofs.DistanceOf(state, frame, scale);
-        Xyz toA = state.Feature.Normal.ToXyz() * scale;
-        Xyz toAInB = frame.MarginB > 0 ? frame.Inverse.Rotate(toA) : default;
+        state.Feature.Normal.ToXyz().Times(scale, out Xyz toA);
+        Xyz toAInB = default;
+        if (frame.MarginB > 0) toAInB = frame.Inverse.Rotate(toA);
         bool isTouching = Proofs.IsTouching(state, distance);
         if (isTouching && !isSigned)
         {
             double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
-            result = Common(
-                state, frame, poseA, poseB, onA - toA * (core * frame.MarginA), onB + toAInB * (core * frame.MarginB));
+            onA.Plus(toA, -(core * frame.MarginA), out onA);
+            onB.Plus(toAInB, core * frame.MarginB, out onB);
+            Common(state, frame, poseA, poseB, onA, onB, out result);
             return;
         }
 
@@ -53,7 +47,7 @@ internal static class DistanceFinish
         distance = gap * frame.Unit;
         if ((float)distance > Math.Max(maxDistance, 0))
         {
-            result = Beyond(state, frame);
+            WriteBeyond(state, frame, out result);
             return;
         }
 
@@ -62,16 +56,11 @@ internal static class DistanceFinish
         frame.RotationA.Opposite(toA, out Xyz normal);
         frame.RotationA.Place(localA, poseA.Position, out Xyz worldA);
         worldA.Plus(normal, distance, out Xyz worldB);
-        if (frame.IsPlaced)
-        {
-            localA = frame.OutOfA(localA);
-            localB = frame.OutOfB(localB);
-        }
-
+        if (frame.IsPlaced) OutOfCores(frame, ref localA, ref localB);
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
         {
             worldB = ToWorld(poseB, localB.ToDouble3()).ToXyz();
-            if (!IsFarApart(gap, frame.RadiusA, frame.CenterA)) worldA = worldB - normal * distance;
+            if (!IsFarApart(gap, frame.RadiusA, frame.CenterA)) worldB.Plus(normal, -distance, out worldA);
         }
 
         GjkStatus status = isTouching ? GjkStatus.Overlapping
@@ -115,25 +104,48 @@ internal static class DistanceFinish
 
     /// <summary>A common point, given on both cores, and placed from the pose that the two points of shapes apart would
     /// be.</summary>
-    private static DistanceResult Common(
-        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, Xyz onA, Xyz onB)
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Common(
+        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, in Xyz onA, in Xyz onB,
+        out DistanceResult result)
     {
         Xyz localA = (onA + frame.CenterA.ToXyz()) * frame.Unit, localB = (onB + frame.CenterB.ToXyz()) * frame.Unit;
         Xyz outerA = localA, outerB = localB;
-        if (frame.IsPlaced) (outerA, outerB) = (frame.OutOfA(localA), frame.OutOfB(localB));
+        if (frame.IsPlaced) OutOfCores(frame, ref outerA, ref outerB);
         var world = (Vector3)(IsMuchSmallerB(state, frame)
             ? ToWorld(poseB, outerB.ToDouble3())
             : frame.RotationA.Rotate(localA.ToDouble3()) + poseA.Position);
-        return new DistanceResult(
+        result = new DistanceResult(
             GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, outerA.ToSingle(), outerB.ToSingle(),
             state.Iterations);
     }
 
-    private static DistanceResult Beyond(in SolverState state, in PairFrame frame)
+    /// <summary>What has no feature that a distance could be measured to.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void WriteUnmeasured(
+        in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
+    {
+        if (state.Verdict == Verdict.Beyond) WriteBeyond(state, frame, out result);
+        else result = DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
+        if (state.Verdict != Verdict.Enclosed) return;
+        state.Simplex.PointOnA(state.Weights, out Xyz onA);
+        state.Simplex.PointOnB(state.Weights, out Xyz onB);
+        Common(state, frame, poseA, poseB, onA, onB, out result);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void OutOfCores(in PairFrame frame, ref Xyz localA, ref Xyz localB)
+    {
+        localA = frame.OutOfA(localA);
+        localB = frame.OutOfB(localB);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void WriteBeyond(in SolverState state, in PairFrame frame, out DistanceResult result)
     {
         double scale = 1 / Math.Sqrt(state.Plane.NormalSquared);
         Double3 normal = state.Plane.Normal * -scale;
-        return DistanceResult.Beyond(
+        result = DistanceResult.Beyond(
             LowerBound(state.Plane.Value * scale, state, frame), (Vector3)frame.RotationA.Rotate(normal),
             state.Iterations);
     }

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>When a half-space and a shape that move and turn come together: conservative advancement as in
-/// <see cref="AdvancementSolver"/> and <see cref="ContactFollower"/>, with the gap in closed form.</summary>
+/// <see cref="AdvancementSolver{TA, TB}"/> and <see cref="ContactFollower{TA, TB}"/>, with the gap in closed form.</summary>
 /// <remarks>
 /// <para>The gap is the least of n · x over the other's points. In the half-space's axes n stands still, and such a
 /// point is a sum of turned vectors, whose second derivative is bounded: with q from pivot to point, v the velocity
@@ -31,8 +31,8 @@ internal struct HalfSpaceMotion
         _motion = motion;
         _end = end;
         _tolerance = tolerance;
-        _floor = AdvancementSolver.FloorRatio * tolerance;
-        _accepted = AdvancementSolver.MostAccepted * tolerance;
+        _floor = Impact.FloorRatio * tolerance;
+        _accepted = Impact.MostAccepted * tolerance;
     }
 
     /// <summary>Whether they overlap, or touch, at the fraction 0.</summary>

@@ -65,7 +65,7 @@ internal struct HalfSpacePair
         where T : struct, ISupportMap
         where TSolver : struct, IPairSolver<TResult>
     {
-        T core = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Of.InCoreAxes(other, out _) : other;
+        T core = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Of.InCoreAxes(other) : other;
         Measure(halfSpace, pose, ref other, ref core, otherPose, out HalfSpacePair pair);
         pair.IsSwapped = isSwapped;
         solver.OfHalfSpace(ref pair, ref core, otherPose, out result);
@@ -85,8 +85,16 @@ internal struct HalfSpacePair
     {
         pair = default;
         PointShape origin = default;
-        if (CoreOf.IsPlaced(ref other)) PairFrame.ComposePlaced(origin, pose, other, otherPose, out pair.Frame);
-        else PairFrame.Compose(ref origin, pose, ref core, otherPose, out pair.Frame);
+        if (CoreOf.IsPlaced(ref other))
+        {
+            PairFrame.ComposePlaced(
+                ref origin, pose, null, ref core, otherPose, ShapeTraits<T>.Of.PlacementOf(ref other), out pair.Frame);
+        }
+        else
+        {
+            PairFrame.Compose(ref origin, pose, ref core, otherPose, out pair.Frame);
+        }
+
         if (!ShapeTraits<T>.AreTight) pair.Frame.TightenRadii(ref origin, ref other);
         HalfSpaceCore plane = halfSpace.AsHalfSpace;
         pair.Normal = plane.Unit;
@@ -99,7 +107,7 @@ internal struct HalfSpacePair
         double error = Rounding * reach;
         if (error > OfSize * size && error > OfGap * Math.Abs(gap))
         {
-            gap = pair.ExactGap(plane, pose, other, otherPose);
+            gap = pair.ExactGap(plane, pose, ref other, otherPose);
             error = Rounding * (Math.Abs(gap) + size);
         }
 
@@ -122,10 +130,10 @@ internal struct HalfSpacePair
     /// <summary>The gap in 106 bits: far from the origin of the half-space double would lose it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private readonly double ExactGap<T>(
-        in HalfSpaceCore plane, in RigidPose pose, in T other, in RigidPose otherPose)
+        in HalfSpaceCore plane, in RigidPose pose, ref T other, in RigidPose otherPose)
         where T : struct, ISupportMap
     {
-        ShapeTraits<T>.Of.InCoreAxes(other, out Placement? placed);
+        Placement? placed = ShapeTraits<T>.Of.PlacementOf(ref other);
         Double3 onOther = placed is null ? _onOther : Frame.OutOfB(_onOther.ToXyz()).ToDouble3();
         VectorDD local = (placed is null ? other.Center : placed.ExactCenter) + (VectorDD)onOther;
         VectorDD between = VectorDD.Place(otherPose, local) - (Double3)pose.Position;
@@ -184,7 +192,7 @@ internal struct HalfSpacePair
     }
 
     /// <summary>Whether a motion takes the shapes deeper into each other than is allowed: as
-    /// <see cref="DeepeningSolver"/> has it, and deepest at the end.</summary>
+    /// <see cref="DeepeningSolver{TA, TB}"/> has it, and deepest at the end.</summary>
     /// <param name="motion">Of the other, seen from the half-space, for the fraction 1; in the world.</param>
     /// <param name="part">From where on, to where, and what is allowed.</param>
     public readonly MotionVerdict Deepens(in Double3 motion, in DeepeningPart part)

@@ -121,8 +121,8 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
     public static void SolveCopies(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
     {
-        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a, out _);
-        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b, out _);
+        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a);
+        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b);
         Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
     }
 
@@ -144,8 +144,11 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         ref SolverState state = ref *(SolverState*)(memory + sizeof(PairFrame));
 #endif
         if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
-            PairFrame.ComposePlaced(a, poseA, b, poseB, out frame);
-        else PairFrame.Compose(ref coreA, poseA, ref coreB, poseB, out frame);
+            PairFrame.ComposePlaced(
+                ref coreA, poseA, ShapeTraits<TA>.Of.PlacementOf(ref a), ref coreB, poseB,
+                ShapeTraits<TB>.Of.PlacementOf(ref b), out frame);
+        else
+            PairFrame.Compose(ref coreA, poseA, ref coreB, poseB, out frame);
         if (!solver.TryBegin(ref a, ref b, poseA, ref frame, out result)) return;
         SolverState.Begin<TCoreA, TCoreB>(frame, out state);
         if (frame.IsOrdinary) solver.Solve(ref coreA, ref coreB, ref frame, ref state);

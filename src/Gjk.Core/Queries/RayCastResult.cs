@@ -30,13 +30,9 @@ public readonly struct RayCastResult
     internal RayCastResult(
         CastStatus status, double distance, Vector3 point, Vector3 normal, int iterations, float depth = 0)
     {
-        Status = status;
-        Distance = (float)distance;
-        _solved = distance;
+        (Status, Distance, _solved, Depth, Iterations) = (status, (float)distance, distance, depth, iterations);
         Point = point;
         Normal = normal;
-        Depth = depth;
-        Iterations = iterations;
     }
 
     /// <summary>True when a contact was found that counts: on the way, or at the origin.</summary>

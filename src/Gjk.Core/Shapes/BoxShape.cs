@@ -25,8 +25,7 @@ public readonly struct BoxShape : ISupportMap, IPlainBody
 
     object ILibraryShape.MakeTraits() => new PlainTraits<BoxShape>();
 
-    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
-        ShapeForm.Of(FormKind.Box, HalfExtents, out form);
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Of(FormKind.Box, HalfExtents, out form);
 
     FormKind IPlainBody.GetPlain(out Double3 size)
     {

@@ -7,7 +7,7 @@ public readonly partial struct ConvexShape
     {
         if (_parts.Placement is not null)
         {
-            _parts.Placement.GetFace(InCoreAxes(out _), direction, ref corners);
+            _parts.Placement.GetFace(InCoreAxes(), direction, ref corners);
             return;
         }
 

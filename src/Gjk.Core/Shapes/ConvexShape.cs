@@ -156,16 +156,12 @@ public readonly partial struct ConvexShape
     /// <summary>Where the core is in the shape's frame; null where the shape is not placed.</summary>
     internal Placement? Placement => _parts.Placement;
 
-    bool IPlacedShape<ConvexShape>.IsPlaced => _parts.Placement is not null;
+    Placement? IPlacedShape<ConvexShape>.Placement => _parts.Placement;
 
-    ConvexShape IPlacedShape<ConvexShape>.InCoreAxes(out Placement? placement) => InCoreAxes(out placement);
+    ConvexShape IPlacedShape<ConvexShape>.InCoreAxes() => InCoreAxes();
 
     /// <inheritdoc cref="IPlacedShape{T}.InCoreAxes"/>
-    private ConvexShape InCoreAxes(out Placement? placement)
-    {
-        placement = _parts.Placement;
-        return placement is null ? this : new ConvexShape(this, null);
-    }
+    private ConvexShape InCoreAxes() => _parts.Placement is null ? this : new ConvexShape(this, null);
 
     /// <summary>This, known to be a box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -26,8 +26,7 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<EllipsoidShape>();
 
-    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
-        ShapeForm.Of(FormKind.Ellipsoid, _radii, out form);
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Of(FormKind.Ellipsoid, _radii, out form);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point) =>

@@ -21,8 +21,7 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     {
         Guard.Pose(pose, nameof(pose));
         _inner = inner;
-        Double3 center = ShapeTraits<T>.Of.InCoreAxes(inner, out Placement? before).Center;
-        _placement = new Placement(pose, before, center);
+        _placement = new Placement(pose, ShapeTraits<T>.Of.PlacementOf(ref _inner), Core.Center);
     }
 
     private Placed(in T core)
@@ -51,17 +50,13 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     private bool IsPlaced => _placement is not null && _placement != Placement.None;
 
     /// <summary>The shape inside, without the poses that it was placed at before.</summary>
-    private T Core => ShapeTraits<T>.Of.InCoreAxes(_inner, out _);
+    private T Core => ShapeTraits<T>.Of.InCoreAxes(_inner);
 
     object ILibraryShape.MakeTraits() => new PlacedTraits<Placed<T>>(ShapeTraits<T>.AreTight);
 
-    bool IPlacedShape<Placed<T>>.IsPlaced => IsPlaced;
+    Placement? IPlacedShape<Placed<T>>.Placement => IsPlaced ? _placement : null;
 
-    Placed<T> IPlacedShape<Placed<T>>.InCoreAxes(out Placement? placement)
-    {
-        placement = _placement;
-        return _placement is null ? this : new(Core);
-    }
+    Placed<T> IPlacedShape<Placed<T>>.InCoreAxes() => _placement is null ? this : new(Core);
 
     bool ILibraryShape.TryGetForm(out ShapeForm form)
     {

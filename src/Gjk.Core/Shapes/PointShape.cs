@@ -13,13 +13,11 @@ public readonly struct PointShape : ISupportMap, ILibraryShape
     public double BoundingRadius => 0;
 
     /// <summary>This, as queries ask it.</summary>
-    internal void Get(out SegmentCore segment) =>
-        SegmentCore.Make(default, default, 1, default, 0, 0, out segment);
+    internal void Get(out SegmentCore segment) => SegmentCore.Make(default, default, 1, default, 0, 0, out segment);
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<PointShape>();
 
-    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
-        ShapeForm.Ball(0, out form);
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Ball(0, out form);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point) => PrimitiveSupport.Point(out point);

@@ -34,17 +34,16 @@ public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
 
     object ILibraryShape.MakeTraits() => new PlacedTraits<Rounded<T>>(ShapeTraits<T>.AreTight);
 
-    bool IPlacedShape<Rounded<T>>.IsPlaced
+    Placement? IPlacedShape<Rounded<T>>.Placement
     {
         get
         {
             T inner = _inner;
-            return ShapeTraits<T>.Of.IsPlaced(ref inner);
+            return ShapeTraits<T>.Of.PlacementOf(ref inner);
         }
     }
 
-    Rounded<T> IPlacedShape<Rounded<T>>.InCoreAxes(out Placement? placement) =>
-        new(ShapeTraits<T>.Of.InCoreAxes(_inner, out placement), _radius);
+    Rounded<T> IPlacedShape<Rounded<T>>.InCoreAxes() => new(ShapeTraits<T>.Of.InCoreAxes(_inner), _radius);
 
     bool ILibraryShape.TryGetForm(out ShapeForm form)
     {
@@ -58,8 +57,7 @@ public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
     public int Support(in Double3 direction, out Double3 point) => _inner.Support(direction, out point);
 
     /// <inheritdoc/>
-    public void GetFace(in Double3 direction, ref FaceCorners corners) =>
-        _inner.GetFace(direction, ref corners);
+    public void GetFace(in Double3 direction, ref FaceCorners corners) => _inner.GetFace(direction, ref corners);
 
     /// <inheritdoc/>
     public bool TryGetVertex(int id, out Double3 point) => _inner.TryGetVertex(id, out point);

@@ -27,13 +27,11 @@ public readonly struct SegmentShape : ISupportMap, ILibraryShape
     public double BoundingRadius => ((Double3)B - A).Length * 0.5;
 
     /// <summary>This, as queries ask it.</summary>
-    internal void Get(out SegmentCore segment) =>
-        SegmentCore.Make(A, B, 2, Center, BoundingRadius, 0, out segment);
+    internal void Get(out SegmentCore segment) => SegmentCore.Make(A, B, 2, Center, BoundingRadius, 0, out segment);
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<SegmentShape>();
 
-    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
-        ShapeForm.Capsule(A, B, Center, 0, out form);
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Capsule(A, B, Center, 0, out form);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)

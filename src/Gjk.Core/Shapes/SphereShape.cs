@@ -25,8 +25,7 @@ public readonly struct SphereShape : ISupportMap, IPlainBody
 
     object ILibraryShape.MakeTraits() => new PlainTraits<SphereShape>();
 
-    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
-        ShapeForm.Ball(Radius, out form);
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Ball(Radius, out form);
 
     FormKind IPlainBody.GetPlain(out Double3 size)
     {

@@ -36,13 +36,11 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     public double BoundingRadius => _radius;
 
     /// <summary>This, as queries ask it.</summary>
-    internal void Get(out TriangleCore triangle) =>
-        TriangleCore.Make(A, B, C, _center, _radius, 0, out triangle);
+    internal void Get(out TriangleCore triangle) => TriangleCore.Make(A, B, C, _center, _radius, 0, out triangle);
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<TriangleShape>();
 
-    bool ILibraryShape.TryGetForm(out ShapeForm form) =>
-        ShapeForm.Triangle(A, B, C, Center, out form);
+    bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Triangle(A, B, C, Center, out form);
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

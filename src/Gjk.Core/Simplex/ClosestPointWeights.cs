@@ -108,8 +108,7 @@ internal static class ClosestPointWeights
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsClear(double least, double cube) =>
-        least > 0 & least * least > ClearVolumeSquared * cube;
+    private static bool IsClear(double least, double cube) => least > 0 & least * least > ClearVolumeSquared * cube;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double CubeOf(in Double3 a, in Double3 b, in Double3 c, in Double3 d)
@@ -256,6 +255,5 @@ internal readonly struct Weights(double a, double b, double c, double d)
         }
     }
 
-    public Double3 PointOf(in Double3 a, in Double3 b, in Double3 c, in Double3 d) =>
-        a * A + b * B + c * C + d * D;
+    public Double3 PointOf(in Double3 a, in Double3 b, in Double3 c, in Double3 d) => a * A + b * B + c * C + d * D;
 }

@@ -58,8 +58,7 @@ internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] 
             IsPlaced(index[0]), IsPlaced(index[1]), IsPlaced(index[2]), IsPlaced(index[3])).AsDouble();
     }
 
-    private long IsPlaced(int pair) =>
-        ((ShapeA(pair).Core | ShapeB(pair).Core) & FormKind.Moved) == 0 ? 0 : -1;
+    private long IsPlaced(int pair) => ((ShapeA(pair).Core | ShapeB(pair).Core) & FormKind.Moved) == 0 ? 0 : -1;
 
     /// <summary>Where the cores are in the frames of four first shapes.</summary>
     public WideTurn TurnsOfA(int* index) =>

@@ -71,7 +71,6 @@ internal unsafe struct WideResults
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Row(int row, Lanes value) =>
-        Avx.ConvertToVector128Single(value).StoreUnsafe(ref _rows[4 * row]);
+    private void Row(int row, Lanes value) => Avx.ConvertToVector128Single(value).StoreUnsafe(ref _rows[4 * row]);
 }
 #endif

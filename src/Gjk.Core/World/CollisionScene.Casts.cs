@@ -76,8 +76,7 @@ public sealed partial class CollisionScene
         return lifted == pose ? moving : moving.LiftedTo(lifted);
     }
 
-    private static void CheckCast(
-        in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction)
+    private static void CheckCast(in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction)
     {
         CheckShape(shape);
         CheckPose(pose);

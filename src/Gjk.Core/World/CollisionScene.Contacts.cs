@@ -10,8 +10,8 @@ public sealed partial class CollisionScene
     private readonly SceneSeams _seams;
 
     /// <summary>Whether static objects that are flush, such as the tiles of a floor, count as one body in
-    /// <see cref="FindContacts"/>: an object has no contact with a side of one that another one covers. True unless it
-    /// is set.</summary>
+    /// <see cref="FindContacts(float, List{PairContacts}, Workers)"/>: an object has no contact with a side of one that
+    /// another one covers. True unless it is set.</summary>
     public bool JoinsStatic { get; set; } = true;
 
     /// <summary>The gap that the contacts are for.</summary>

@@ -19,13 +19,10 @@ public readonly struct ObjectSettings : IEquatable<ObjectSettings>
     /// <param name="groups">The groups that it is in, one bit each.</param>
     /// <param name="mask">The groups that it is tested against, one bit each.</param>
     /// <param name="tag">A number of your own, which the scene keeps for you.</param>
-    public ObjectSettings(
-        bool isStatic = false, uint groups = DefaultGroup, uint mask = uint.MaxValue, long tag = 0)
+    public ObjectSettings(bool isStatic = false, uint groups = DefaultGroup, uint mask = uint.MaxValue, long tag = 0)
     {
-        IsStatic = isStatic;
-        _groupFromDefault = groups ^ DefaultGroup;
-        _maskFromAll = ~mask;
-        Tag = tag;
+        (_groupFromDefault, _maskFromAll) = (groups ^ DefaultGroup, ~mask);
+        (IsStatic, Tag) = (isStatic, tag);
     }
 
     /// <summary>Whether the object is never tested against another static one.</summary>

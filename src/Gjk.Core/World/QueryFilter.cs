@@ -28,12 +28,8 @@ public readonly struct QueryFilter : IEquatable<QueryFilter>
         uint groups = uint.MaxValue, uint mask = uint.MaxValue, bool seesStatic = true, bool seesMoving = true,
         int ignoredId = -1, Predicate<int>? sees = null)
     {
-        _sees = sees;
-        _groupsFromAll = ~groups;
-        _maskFromAll = ~mask;
-        _skipsStatic = !seesStatic;
-        _skipsMoving = !seesMoving;
-        _notIgnoredId = ~ignoredId;
+        (_groupsFromAll, _maskFromAll, _notIgnoredId) = (~groups, ~mask, ~ignoredId);
+        (_skipsStatic, _skipsMoving, _sees) = (!seesStatic, !seesMoving, sees);
     }
 
     /// <summary>The groups that the question is in, one bit each.</summary>

@@ -18,8 +18,7 @@ internal readonly struct MovingShape(
     public MovingShape RestingAt(in RigidPose at) => new(_shape, at, Vector3.Zero, 0, Filter, default, at);
 
     /// <summary>The same motion, which passes what it does not get deeper into from another pose.</summary>
-    public MovingShape LiftedTo(in RigidPose at) =>
-        new(_shape, _pose, translation, maxFraction, Filter, _options, at);
+    public MovingShape LiftedTo(in RigidPose at) => new(_shape, _pose, translation, maxFraction, Filter, _options, at);
 
     /// <summary>When it meets an object.</summary>
     public CastHit Cast(SceneObjects objects, int slot)

@@ -47,9 +47,7 @@ internal readonly struct SceneDepthJob(
                 continue;
             }
 
-            DistanceResult depth = ConvexQuery.SignedDistance(
-                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B]);
-            answers[i] = new PairDistance(depth, pair: objects.IdsOf(pair));
+            answers[i] = objects.DepthOf(pair);
         }
 
         if (scratch is not null) objects.Parts.Return(scratch);
@@ -74,12 +72,7 @@ internal readonly struct SceneContactJob(
                 continue;
             }
 
-            ContactManifold manifold = default;
-            DistanceResult depth = ConvexQuery.Contacts(
-                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
-                maxGap, out manifold);
-            answers[i] = new PairContacts(
-                PartSide.NoPart, PartSide.NoPart, depth, manifold, objects.IdsOf(pair));
+            answers[i] = objects.ContactsOf(pair, maxGap);
         }
 
         if (scratch is not null) objects.Parts.Return(scratch);

@@ -38,6 +38,9 @@ internal sealed class SceneObjects
     /// <summary>The objects that are not convex; their shapes here are default structs.</summary>
     public readonly ScenePartQueries Parts;
 
+    /// <summary>In place of an id: the shape that a question brings.</summary>
+    public const int GuestId = -1;
+
     private int _nextId;
 
     public SceneObjects() => Parts = new ScenePartQueries(this);
@@ -46,7 +49,8 @@ internal sealed class SceneObjects
     public bool IsDirect { get; private set; } = true;
 
     /// <summary>Whether the next object needs the arrays closed up first; slots change.</summary>
-    public bool ShouldCloseUp => End == Ids.Length && (Count < End / 2 || (End == BoundsTable.IdLimit && Count < End));
+    public bool ShouldCloseUp =>
+        (End == Ids.Length && Count < End / 2) || (End == BoundsTable.IdLimit && Count < End);
 
     /// <summary>Makes room for one more object; nothing changes if there is no memory for it.</summary>
     /// <returns>The slot that it will have.</returns>
@@ -75,6 +79,22 @@ internal sealed class SceneObjects
         return slot;
     }
 
+    /// <summary>Puts a shape that is none of the scene's beside the objects while a question is asked about it: a
+    /// moving body whose id is <see cref="GuestId"/>, which no finder meets.</summary>
+    /// <returns>Its slot, the first that is free.</returns>
+    public int Invite(in ConvexShape shape, in RigidPose pose)
+    {
+        if (End == Ids.Length) Grow();
+        Shapes[End] = shape;
+        Poses[End] = pose;
+        Settings[End] = default;
+        Ids[End] = GuestId;
+        return End;
+    }
+
+    /// <summary>Lets go of the guest's shape.</summary>
+    public void Dismiss() => Shapes[End] = default;
+
     public void SetSettings(int slot, in ObjectSettings settings)
     {
         Settings[slot] = settings;
@@ -86,6 +106,22 @@ internal sealed class SceneObjects
 
     /// <summary>The ids of a pair of slots.</summary>
     public ObjectPair IdsOf(ObjectPair slots) => new(Ids[slots.A], Ids[slots.B]);
+
+    /// <summary>How deep two convex objects overlap.</summary>
+    public PairDistance DepthOf(ObjectPair pair)
+    {
+        DistanceResult depth = ConvexQuery.SignedDistance(
+            Shapes[pair.A], Poses[pair.A], Shapes[pair.B], Poses[pair.B]);
+        return new PairDistance(depth, pair: IdsOf(pair));
+    }
+
+    /// <summary>Where two convex objects touch.</summary>
+    public PairContacts ContactsOf(ObjectPair pair, float maxGap)
+    {
+        DistanceResult depth = ConvexQuery.Contacts(
+            Shapes[pair.A], Poses[pair.A], Shapes[pair.B], Poses[pair.B], maxGap, out ContactManifold manifold);
+        return new PairContacts(PartSide.NoPart, PartSide.NoPart, depth, manifold, IdsOf(pair));
+    }
 
     /// <summary>Whether neither object of a pair has moved since a call.</summary>
     public bool Rest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
@@ -101,6 +137,9 @@ internal sealed class SceneObjects
         Parts.Remove(slot);
         Count--;
     }
+
+    /// <summary>The slot of an id of an answer: an object, or the guest that was asked about.</summary>
+    public int SlotOfAnswer(int id) => id == GuestId ? End : SlotOf(id);
 
     /// <summary>The slot of an id, or -1 where there is no such object.</summary>
     public int SlotOf(int id)
@@ -144,7 +183,8 @@ internal sealed class SceneObjects
 
     private void Grow()
     {
-        int capacity = Math.Min(BoundsTable.Grown(Ids.Length, End), BoundsTable.IdLimit);
+        // A full scene has room for a guest.
+        int capacity = Math.Min(BoundsTable.Grown(Ids.Length, End), BoundsTable.IdLimit + 1);
         Array.Resize(ref Shapes, capacity);
         Parts.Reserve();
         Array.Resize(ref Poses, capacity);

@@ -102,8 +102,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     private PairDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
     {
         ConcaveScratch scratch = Rent();
-        PairDistance found = ConcaveQuery.Distance(
-            shape, pose, this[slot], objects.Poses[slot], scratch, maxDistance);
+        PairDistance found = ConcaveQuery.Distance(shape, pose, this[slot], objects.Poses[slot], scratch, maxDistance);
         Return(scratch);
         return found;
     }
@@ -135,6 +134,15 @@ internal sealed class ScenePartQueries(SceneObjects objects)
             maxFraction, options);
         Return(scratch);
         return found;
+    }
+
+    /// <summary>The distances of all pairs of parts of two objects that are near.</summary>
+    public void FindDistances(
+        ObjectPair pair, float maxDistance, ConcaveScratch scratch, List<PairDistance> distances)
+    {
+        ConcaveQuery.FindPairsWithin(
+            this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], maxDistance, scratch, distances);
+        for (int i = 0; i < distances.Count; i++) distances[i] = distances[i].Of(objects.IdsOf(pair));
     }
 
     /// <summary>The depths of all pairs of parts of two objects.</summary>

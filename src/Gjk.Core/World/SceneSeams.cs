@@ -43,7 +43,7 @@ internal sealed class SceneSeams(SceneObjects objects)
         int count = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
-            int a = objects.SlotOf(contacts[i].Pair.A), b = objects.SlotOf(contacts[i].Pair.B);
+            int a = objects.SlotOfAnswer(contacts[i].Pair.A), b = objects.SlotOfAnswer(contacts[i].Pair.B);
             bool isSmooth = IsHalfSpace(a) || IsHalfSpace(b);
             if (!isSmooth && objects.Settings[a].IsStatic != objects.Settings[b].IsStatic)
                 _keys[count++] = (ulong)(uint)(objects.Settings[a].IsStatic ? b : a) << 32 | (uint)i;
@@ -143,8 +143,8 @@ internal sealed class SceneSeams(SceneObjects objects)
         public BodyContact(SceneObjects objects, scoped in PairContacts contact, int body)
         {
             (_objects, _contact, Body) = (objects, contact, body);
-            _isBodyA = objects.SlotOf(contact.Pair.A) == body;
-            Ground = objects.SlotOf(_isBodyA ? contact.Pair.B : contact.Pair.A);
+            _isBodyA = objects.SlotOfAnswer(contact.Pair.A) == body;
+            Ground = objects.SlotOfAnswer(_isBodyA ? contact.Pair.B : contact.Pair.A);
         }
 
         public int Body { get; }

@@ -15,15 +15,15 @@ internal static class CostOnMono
     /// <summary>Bytes: a larger local is cleared by a call of memset.</summary>
     private const int MostLocal = 64;
 
-    /// <summary>The folders that a single query goes through, in each round or once.</summary>
+    /// <summary>The folders that a query goes through, in each round or once.</summary>
     private static readonly string[] Hot =
     [
         "Arithmetic/", "Geometry/", "Minkowski/", "Simplex/", "Cores/", "Contacts/", "Shapes/", "Queries/", "Solvers/",
+        "Concave/", "World/",
     ];
 
-    /// <summary>Parts of those that a single query of two convex shapes enters rarely, or that search for many
-    /// rounds.</summary>
-    private static readonly string[] Rare = ["Solvers/Motion/", "Solvers/Trace/", "Solvers/Depth/", "Queries/Rays/"];
+    /// <summary>Parts of those that tell what happens in a search, and rays, which no pair of shapes is.</summary>
+    private static readonly string[] Rare = ["Solvers/Trace/", "Queries/Rays/"];
 
     private static readonly MethodInfo SizeOf = typeof(Unsafe).GetMethod(nameof(Unsafe.SizeOf))!;
 

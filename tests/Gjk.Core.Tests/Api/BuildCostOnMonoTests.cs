@@ -13,7 +13,12 @@ public class BuildCostOnMonoTests
         Placed = "placed shapes, once for each query",
         Range = "only directions near the ends of a double's range",
         Answer = "the answer, or the frame of the question, once for each query",
-        Conversion = "from and to System.Numerics, for users; no query calls it";
+        Conversion = "from and to System.Numerics, for users; no query calls it",
+        Contact = "the contact of two parts that meet, which costs thousands of operations",
+        Cover = "asked of parts that meet, whether others cover them; each goes through a list or a tree",
+        Part = "a part or a shape that was asked about, copied into what queries take",
+        Way = "the way out and the bodies around it, once for each depth",
+        Back = "the pose to go back to";
 
     private static readonly (string Method, string Reason)[] CopiedShapes =
     [
@@ -29,12 +34,13 @@ public class BuildCostOnMonoTests
         ("SegmentCore.UnitDot", Range), ("TriangleCore.FurthestInUnits", Range),
         ("XyzExtensions.ToDouble3", "so short that Mono inlines it unasked"),
         ("PairFrame.OutOfA", Placed), ("PairFrame.OutOfB", Placed), ("ConvexQuery.SettleImpact", Answer),
-        ("DistanceFinish.Common", "once, of pairs that overlap or touch"), ("ShapeParts.set_Scale", Making),
+        ("ShapeParts.set_Scale", Making),
         ("ClosestPointWeights.FaceWeightsExtended", Exact), ("ClosestPointWeights.VolumeWeightsExtended", Exact),
         ("NextSimplex.Nearest", "where more than one face sees the origin"),
         ("BestNormal.set_Normal", "once for each normal"),
         ("GjkDistance.Stop", "once for each search"), ("GjkDistance.Tell", Trace),
         ("Proofs.IsCertainlyInside", "once, where the simplex may hold the origin"),
+        ("FaceSearch.Made", "it changes its copy"),
     ];
 
     private static readonly (string Method, string Reason)[] LargeLocals =
@@ -50,6 +56,32 @@ public class BuildCostOnMonoTests
         ("SideNormal.*", "shapes that touch at their sides"), ("SettledContact.LookAtStart", Answer),
         ("ImpactQuestion.*", Answer), ("RayQuestion.TryBegin", Answer), ("MetFeatures.Of", Answer),
         ("Polytope.Grow", "once, in the few searches that outgrow the first room"),
+        ("AnyShape.*", Making), ("CompoundShape.*", Making), ("TriangleMesh.GetShape", Part),
+        ("ConcaveQuery.*", Answer), ("PartQuery.*", Part), ("PartPairSearch.*", Answer), ("PartCastSearch.*", Part),
+        ("Containment.*", Answer), ("SolidExit.*", Answer), ("TreeFrame.Compose", Answer),
+        ("BoxFit.TryGetSpread", Making), ("TriangleMesh.TryGetOutward", Cover), ("PlaneProof.*", Cover),
+        ("Reaches.OfPart", Part), ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
+        ("ContactPush.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
+        ("DeepestPoint.Lead", Contact),
+        ("AxialDepth.*", State), ("CornerDepth.*", Way), ("CylinderDepth.*", Way), ("PairForm.*", Way),
+        ("BoxDepth.Solve", State), ("BoxDepthPoints.Find", "once, for the ends of the way that was found"),
+        ("DepthBounds.End", "where B is beyond the way out, once for each depth"), ("DepthCells.Search", State),
+        ("GjkDepth.Solve", State), ("GjkDepth.Tell", Trace), ("HullArc.TryWalk", State), ("HullDepth.*", State),
+        ("SignedSolver.SolveDepthLast", "the common point of shapes that only touch, and else the start of a search"),
+        ("SignedSolver.SolveRound", Way), ("SignedSolver.SolveLarge", Way), ("SignedSolver.Tell", Trace),
+        ("SignedSolver.TellRound", Trace), ("SmoothNormal.TryEnd", State),
+        ("AdvancementSolver.Solve", State), ("AdvancementSolver.TryLeave", Back), ("CastNormal.*", State),
+        ("CastPortal.Solve", State), ("CastSolver.Find", State), ("ContactFollower.Solve", State),
+        ("ContactFollower.TryEnd", Back), ("CurvedTouch.TryLook", State), ("DeepeningSolver.*", State),
+        ("TurningBody.Measure", "each so many steps, for all axes"), ("TurningPlane.Choose", State),
+        ("CollisionScene.*", "once for each question about the whole scene"), ("NearestSearch.*", Answer),
+        ("MovingShape.*", Answer), ("FirstCastHit.*", Answer), ("AllCastHits.*", Answer),
+        ("SceneDepthJob.Run", Answer), ("SceneContactJob.Run", Answer), ("SceneRayJob.Run", State),
+        ("SceneOverlapJob.Run", "once for some dozens of pairs"),
+        ("SceneDistanceJob.AskParts", "once for some dozens of pairs"), ("ScenePartQueries.*", Part),
+        ("SceneSeams.*", Contact), ("BodyContact.*", Contact), ("GroundCover.*", Cover),
+        ("ShapeBounds.BoxAt", "the turned axes, of which each object that moved needs all"),
+        ("ShapeBounds.ctor", Making),
     ];
 
     [Fact]

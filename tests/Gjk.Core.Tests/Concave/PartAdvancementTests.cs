@@ -25,6 +25,9 @@ public sealed class PartAdvancementTests
         int hits = 0;
         for (int i = 0; i < 6; i++)
         {
+            // The quick tier asks every other one, the same ones for half of the seeds.
+            if (!Budget.IsLong && i % 2 != (int)seed % 2) continue;
+
             // Slow turns and fast ones, aimed at the other body, past it, and from inside of its reach.
             float turns = i < 4 ? 1 : 12;
             Vector3 from = random.Vector(1);

@@ -60,9 +60,9 @@ public class ImpactToleranceTests
         PairMotion.Begin(Still, falling, frame, out PairMotion motion);
         double fraction = 0.5, tolerance = motion.Speed * fraction / (1 << 23) / ratio;
         WarmStart warm = default;
-        AdvancementSolver.Solve(
+        AdvancementSolver<BoxShape, BoxShape>.Solve(
             ref cube, ref cube, ref frame, ref motion, new FractionInterval(0, 1), tolerance,
-            AdvancementSolver.FloorRatio * tolerance, leaves: true, ref warm, out Impact impact, out _);
+            Impact.FloorRatio * tolerance, leaves: true, ref warm, out Impact impact, out _);
         Assert.Equal(MotionVerdict.Hit, impact.Outcome);
         Assert.InRange((10 - 20 * impact.Fraction) / tolerance, 0.4 * accepted, 0.6 * accepted);
     }

@@ -97,7 +97,7 @@ public class RaySeamTests
         var pose = new RigidPose(
             new Quaternion(0.55394983f, -0.11987774f, 0.070853405f, 0.820822f),
             new Vector3(0.65045923f, -0.5600591f, -0.3490575f));
-        Vector3 origin = new(0.69296396f, -0.5585865f, -0.33782437f), to = new(0.016644299f, 0.46171534f, -0.19000205f);
+        Vector3 origin = new(0.6929637f, -0.5585863f, -0.33782446f), to = new(0.016643789f, 0.46171498f, -0.1900021f);
         AnyShape surface = AnyShape.Surface(new TriangleMesh(corners, triangles));
         var scratch = new ConcaveScratch();
         List<RayHit> hits = [];

@@ -73,30 +73,18 @@ namespace Gjk.Unity
             return count;
         }
 
-        /// <summary>Where two colliders touch or nearly do: up to four points for convex ones, else the nearest
-        /// one.</summary>
+        /// <summary>Where two colliders touch or nearly do: up to four points for convex ones, else so many for each
+        /// triangle that carries.</summary>
         /// <param name="colliderA">The first.</param>
         /// <param name="colliderB">The second.</param>
-        /// <param name="results">Gets the points; those that do not fit are left out.</param>
+        /// <param name="results">Gets the points; where there are more, the deepest.</param>
         /// <param name="maxGap">World units: points further apart are left out; at least 0.</param>
         /// <returns>How many points there are.</returns>
         public static int Contacts(
             Collider colliderA, Collider colliderB, ColliderContact[] results, float maxGap = 0)
         {
             if (results == null) throw new ArgumentNullException(nameof(results));
-            PosedShape a = GjkShapes.From(colliderA), b = GjkShapes.From(colliderB);
-            if (!a.IsConvex || !b.IsConvex)
-            {
-                ColliderDistance3D nearest = Distance(a, b);
-                bool isNear = nearest.isValid && nearest.distance <= maxGap && results.Length > 0;
-                if (isNear) results[0] = new ColliderContact(nearest);
-                return isNear ? 1 : 0;
-            }
-
-            ConvexQuery.Contacts(a.Shape, a.Pose, b.Shape, b.Pose, maxGap, out ContactManifold found);
-            int count = Math.Min(found.Count, results.Length);
-            for (int i = 0; i < count; i++) results[i] = new ColliderContact(found[i], found.Normal);
-            return count;
+            return PairQueries.Contacts(GjkShapes.From(colliderA), GjkShapes.From(colliderB), maxGap, results);
         }
 
         /// <summary>Whether two colliders share a point, touching included.</summary>

@@ -187,6 +187,23 @@ namespace Gjk.Unity.Tests
             Assert.AreEqual(3, GjkPhysics.Contacts(_box, other, new ColliderContact[3]));
         }
 
+        /// <summary>A box that stands over the ridge of a roof touches both sides; of two points the deeper ones are
+        /// kept.</summary>
+        [Test]
+        public void ContactsOfASurfaceAreThoseOfAllItsTriangles()
+        {
+            Place(0);
+            var surface = _second.AddComponent<MeshCollider>();
+            surface.sharedMesh = TestMeshes.Roof(-0.25f);
+            var all = new ColliderContact[16];
+            int count = GjkPhysics.Contacts(_box, surface, all);
+            Assert.IsTrue(count > 1, count.ToString());
+            var one = new ColliderContact[1];
+            Assert.AreEqual(1, GjkPhysics.Contacts(_box, surface, one));
+            for (int i = 0; i < count; i++) Assert.IsTrue(one[0].separation <= all[i].separation);
+            Assert.AreEqual(0, GjkPhysics.Contacts(_box, surface, new ColliderContact[0]));
+        }
+
         /// <summary>A body that stands in a surface is lifted out of the triangle that is deepest in it.</summary>
         [Test]
         public void PenetrationOfASurfaceIsTheWayOutOfItsDeepestPart()

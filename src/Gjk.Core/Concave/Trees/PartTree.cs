@@ -37,12 +37,7 @@ internal sealed class PartTree
     /// <summary>In the shape's units: no point of the parts is further from the origin.</summary>
     public double Radius;
 
-    public PartTree(float[] boxes, int[] children, int[] order)
-    {
-        Boxes = boxes;
-        Children = children;
-        Order = order;
-    }
+    public PartTree(float[] boxes, int[] children, int[] order) => (Boxes, Children, Order) = (boxes, children, order);
 
     /// <summary>The tree of one part, to be written by <see cref="SinglePart"/>.</summary>
     public static PartTree Single()

@@ -149,8 +149,7 @@ internal static unsafe class TriangleLanes
 #if NET
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
 #endif
-    private static Floats Clamp(Floats x) =>
-        FloatLanes.Min(FloatLanes.Max(x, FloatLanes.All(0)), FloatLanes.All(1));
+    private static Floats Clamp(Floats x) => FloatLanes.Min(FloatLanes.Max(x, FloatLanes.All(0)), FloatLanes.All(1));
 
     private static void Edges(float* a, float* b, ref Best best)
     {

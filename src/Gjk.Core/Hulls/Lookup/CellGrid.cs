@@ -16,10 +16,8 @@ internal readonly struct CellGrid
 
     public CellGrid(int side, int flatAxis = -1)
     {
-        _flatAxis = flatAxis;
-        Faces = flatAxis < 0 ? 6 : 4;
-        Columns = side;
-        Rows = flatAxis < 0 ? side : 1;
+        (_flatAxis, Columns) = (flatAxis, side);
+        (Faces, Rows) = flatAxis < 0 ? (6, side) : (4, 1);
     }
 
     public int Cells => Faces * Rows * Columns;

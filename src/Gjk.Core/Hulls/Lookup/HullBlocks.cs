@@ -89,8 +89,7 @@ internal static class HullBlocks
     /// <summary>The larger of two lanes by one instruction; what it does with NaN and with the sign of 0 does not
     /// matter to the comparisons that follow.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) =>
-        Vector256.MaxNative(a, b);
+    public static Vector256<double> Larger(Vector256<double> a, Vector256<double> b) => Vector256.MaxNative(a, b);
 
     /// <summary>The lowest set bit; with NaN dot products none is set, and lane 0 will do.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -28,13 +28,8 @@ internal sealed class HullVertices
     /// <param name="origin">What to count coordinates from.</param>
     public HullVertices(Vector3[] points, int dimension, in Aabb bounds, Vector3 origin)
     {
-        Count = points.Length;
-        Dimension = dimension;
-        Bounds = bounds;
-        Origin = origin;
-        X = new float[Count];
-        Y = new float[Count];
-        Z = new float[Count];
+        (Count, Dimension, Bounds, Origin) = (points.Length, dimension, bounds, origin);
+        (X, Y, Z) = (new float[Count], new float[Count], new float[Count]);
         for (int i = 0; i < Count; i++)
         {
             Vector3 point = points[i];

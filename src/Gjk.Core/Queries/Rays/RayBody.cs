@@ -58,8 +58,7 @@ internal static class RayBody
         own.Direction = Double3.Multiply(own.Direction, inverse);
         double shift = LocalRay.MoveToFoot(ref own.Foot, own.Direction);
         RayFinding found = FindPlain(form, own, out span);
-        span.Enter += shift;
-        span.Exit += shift;
+        span.Move(shift);
         span.Normal = Double3.Multiply(span.Normal, inverse);
         return found;
     }

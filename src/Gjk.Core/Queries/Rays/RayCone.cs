@@ -58,8 +58,7 @@ internal static class RayCone
         if (!(span.Normal.LengthSquared > apex * apex)) span.Normal = ApexNormal(d, k);
         double middle = radius * 0.5;
         bool isLeft = span.Clip(middle, middle - f.Y, -d.Y, new Double3(0, 1, 0));
-        span.Enter += shift;
-        span.Exit += shift;
+        span.Move(shift);
         return isLeft;
     }
 

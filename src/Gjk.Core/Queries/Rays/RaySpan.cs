@@ -17,6 +17,9 @@ internal struct RaySpan
     /// <summary>Nothing is cut off yet.</summary>
     public static RaySpan Everything => new() { Enter = double.NegativeInfinity, Exit = double.PositiveInfinity };
 
+    /// <summary>Measures it from another point of the line, so far before the one at hand.</summary>
+    public void Move(double shift) => (Enter, Exit) = (Enter + shift, Exit + shift);
+
     /// <summary>Cuts off what is above a half extent along one axis, and below its opposite (Ericson, Real-Time
     /// Collision Detection, 2005, section 5.3.3).</summary>
     /// <param name="half">The half extent.</param>

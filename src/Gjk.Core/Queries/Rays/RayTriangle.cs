@@ -12,8 +12,15 @@ internal static class RayTriangle
     /// <summary>Ratio to the triangle's width, 2^-32, and to its longest side, 2^-48: a line that passes beside an edge
     /// by less goes through it. So what rounding does to a line through an edge that two triangles share, and to the
     /// place from which each measures it, leaves no hole between them, and the closed triangle is missed by no line
-    /// that meets it. Both are below the 1e-9 within which hit and miss are open. Pinned by RaySeamTests.</summary>
+    /// that meets it. To a line that is flat to the edge they allow more, which <see cref="Graze"/> limits. Pinned by
+    /// RaySeamTests.</summary>
     private const double BesideWide = 1.0 / (1L << 32), BesideLong = 1.0 / (1L << 48);
+
+    /// <summary>Ratio to the longest side, 2^-31: a line that passes further away from all edges misses. The longest
+    /// side is at most the root of 3 times the scale, so this is below the 1e-9 of the scale within which hit and miss
+    /// are open. Pinned by TriangleEdgeRayTests, from above; four times less is still more than rounding does to the
+    /// volume of the flattest line, 1e-10 of the side.</summary>
+    private const double Graze = 1.0 / (1L << 31);
 
     /// <summary>Whether the triangle and the line are far enough from flat.</summary>
     public static bool IsFit(in LocalRay ray, in Double3 a, in Double3 b, in Double3 c, out Double3 normal)
@@ -36,36 +43,41 @@ internal static class RayTriangle
         span.Normal = along > 0 ? -normal : normal;
         span.IsClose = false;
         if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return true;
-        if (!IsOnEdge(ray.Direction, b - c, c - a, a - b, normal, u, v, w)) return false;
+        if (!IsOnEdge(ray.Direction, b - c, c - a, a - b, normal, u, v, w, out double least)) return false;
 
-        // A flat line may cross the plane far beside the edge that it passes closely, where another triangle is.
-        double side = u + v + w > 0 ? 1 : -1;
-        double passed = side * u < 0 ? Pass(ray.Direction, toB, c - b)
-            : side * v < 0 ? Pass(ray.Direction, toC, a - c)
-            : Pass(ray.Direction, toA, b - a);
+        // A flat line may be between all edges but for rounding, and yet cross the plane far beside the edge that it
+        // passes, where another triangle is; or pass a sharp corner far out, between its edges.
+        return TryPass(ray.Direction, toB, toC, ref least, ref span)
+            | TryPass(ray.Direction, toC, toA, ref least, ref span)
+            | TryPass(ray.Direction, toA, toB, ref least, ref span);
+    }
+
+    /// <summary>Where a line is nearest to an edge (Ericson 2005, section 5.1.9), if it passes it more closely than all
+    /// before.</summary>
+    private static bool TryPass(
+        in Double3 direction, in Double3 toStart, in Double3 toEnd, ref double least, ref RaySpan span)
+    {
+        Double3 edge = toEnd - toStart, across = Double3.Cross(direction, edge);
+        double along = Double3.Dot(Double3.Cross(toStart, direction), across) / across.LengthSquared;
+        Double3 nearest = toStart + edge * Math.Min(Math.Max(along, 0), 1);
+        double passed = Double3.Dot(nearest, direction) / direction.LengthSquared;
+        double beside = (nearest - direction * passed).Length;
+        if (!(beside < least)) return false;
+        least = beside;
         span.Enter = span.Exit = passed;
         return true;
     }
 
-    /// <summary>Where a line is nearest to an edge (Ericson 2005, section 5.1.9).</summary>
-    private static double Pass(in Double3 direction, in Double3 toStart, in Double3 edge)
-    {
-        Double3 across = Double3.Cross(direction, edge);
-        double along = Double3.Dot(Double3.Cross(toStart, direction), across) / across.LengthSquared;
-        Double3 nearest = toStart + edge * Math.Min(Math.Max(along, 0), 1);
-        return Double3.Dot(nearest, direction) / direction.LengthSquared;
-    }
-
-    /// <summary>Whether the volumes have one sign but for those of edges that the line passes closely.</summary>
+    /// <summary>Whether the volumes have one sign but for those of edges that the line passes closely, or flatly: a
+    /// volume is the distance from the edge times the sine between line and edge.</summary>
     private static bool IsOnEdge(
         in Double3 direction, in Double3 bc, in Double3 ca, in Double3 ab, in Double3 normal, double u, double v,
-        double w)
+        double w, out double graze)
     {
         double p = bc.Length, q = ca.Length, r = ab.Length, longest = Math.Max(Math.Max(p, q), r);
         double beside = direction.Length * (BesideWide * normal.Length / longest + BesideLong * longest);
-        p *= beside;
-        q *= beside;
-        r *= beside;
+        (p, q, r) = (p * beside, q * beside, r * beside);
+        graze = Graze * longest;
         return (u >= -p && v >= -q && w >= -r) || (u <= p && v <= q && w <= r);
     }
 

@@ -119,8 +119,8 @@ internal static unsafe class AxialDepth<TA, TB>
             {
                 Double3 normal = best + (i < 2 ? around : along) * ((i & 1) == 0 ? step : -step);
                 normal *= 1 / normal.Length;
-                Simplex.Begin(out Simplex simplex);
-                depth.See(normal, Double3.Dot(normal, Support(ref a, ref b, frame, normal, ref state, ref simplex)));
+                Double3 w = Support(ref a, ref b, frame, normal, ref state, out _);
+                depth.See(normal, Double3.Dot(normal, w));
             }
         }
     }
@@ -179,13 +179,13 @@ internal static unsafe class AxialDepth<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double across, double along, ref SolverState state,
         ref DepthBounds depth)
     {
-        Simplex.Begin(out Simplex simplex);
-        Double3 normal = plane.At(across, along), w = Support(ref a, ref b, frame, normal, ref state, ref simplex);
+        Double3 normal = plane.At(across, along);
+        Double3 w = Support(ref a, ref b, frame, normal, ref state, out DifferenceVertex vertex);
         depth.See(normal, Double3.Dot(normal, w));
         Double3 moved = default, bent = default;
         if (plane.Slope > 0)
         {
-            plane.Follow(simplex.OnA(0), frame.Rotation.Rotate(simplex.OnB(0)), frame.Translation, out moved, out bent);
+            plane.Follow(vertex.OnA, frame.Rotation.Rotate(vertex.OnB), frame.Translation, out moved, out bent);
         }
 
         return new AxialSide(plane, across, along, w, moved, bent);
@@ -193,11 +193,13 @@ internal static unsafe class AxialDepth<TA, TB>
 
     /// <summary>The furthest point of A - B in a direction, which is counted.</summary>
     public static Double3 Support(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex simplex)
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state,
+        out DifferenceVertex vertex)
     {
-        int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex.At(0), out Double3 w);
+        Uncleared.Begin(out vertex);
+        int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref vertex, out Double3 w);
         state.Iterations++;
-        if (state.Matters<TA, TB>(ids)) state.See(frame, simplex, 0);
+        if (state.Matters<TA, TB>(ids)) state.See(frame, ids, vertex.OnA, vertex.OnB);
         return w;
     }
 }

@@ -69,8 +69,7 @@ internal static class CylinderDepth<TA, TB>
         {
             if (!(length < known && length > GjkTolerances.DepthNoiseCurved * size)) return false;
             Double3 normal = nearest * (1 / length);
-            Simplex.Begin(out Simplex simplex);
-            Double3 w = AxialDepth<TA, TB>.Support(ref a, ref b, frame, normal, ref state, ref simplex);
+            Double3 w = AxialDepth<TA, TB>.Support(ref a, ref b, frame, normal, ref state, out _);
             depth.See(normal, Double3.Dot(normal, w));
 
             // What rounding leaves along the axis would grow from corner to corner.

@@ -138,9 +138,8 @@ internal struct FacetSearch(in PairForm form, in SolverState state, int looks)
         if (--_looks < 0) return false;
         Supports++;
         if (height >= Depth.Above) return true;
-        Simplex.Begin(out Simplex simplex);
         Double3 unit = normal * (1 / normal.Length);
-        MinkowskiDifference.Support(ref a, ref b, frame, -unit, ref simplex.At(0), out Double3 w);
+        MinkowskiDifference.Support(ref a, ref b, frame, -unit, out Double3 w);
         Depth.See(unit, Double3.Dot(unit, w));
         return height >= Limit;
     }

@@ -16,8 +16,7 @@ internal readonly struct PairForm(in BodyForm a, in BodyForm b, in PairFrame fra
     private const double NearlyCoaxial = 4e-2;
 
     /// <summary>What is known of the way out.</summary>
-    public readonly WayOut Way =
-        a.IsRound && b.IsRound && (a.IsCurved || b.IsCurved) ? WayOf(a, b, frame) : default;
+    public readonly WayOut Way = a.IsRound && b.IsRound && (a.IsCurved || b.IsCurved) ? WayOf(a, b, frame) : default;
 
     /// <summary>Both shapes' forms.</summary>
     public readonly BodyForm A = a, B = b;

@@ -68,7 +68,15 @@ internal static class SignedSolver<TA, TB>
     {
         NoTrace untold = default;
         ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
-        if (state.Verdict != Verdict.Enclosed) return;
+        if (state.Verdict == Verdict.Enclosed) SolveDepthLast(ref a, ref b, frame, ref state, ref trace);
+    }
+
+    /// <summary>The depth of cores that overlap or touch.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void SolveDepthLast<TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
+        where TTrace : struct, IPolytopeTrace
+    {
         Simplex common = state.Simplex;
         Weights weights = state.Weights;
         state.Feature.Normal = frame.FirstNormal;
@@ -116,12 +124,25 @@ internal static class SignedSolver<TA, TB>
         where TTrace : struct, IPolytopeTrace
     {
         PairForm.Look(ref a, ref b, frame, out PairForm form);
-        bool isExact = form.Way.IsKnown && form.Way.Slope == 0;
-        SolverState before = trace.IsOn ? state : default;
-        Verdict verdict = isExact
+        return trace.IsOn
+            ? TellRound(ref a, ref b, frame, form, ref state, ref trace)
+            : SolveRound(ref a, ref b, frame, form, ref state);
+    }
+
+    private static Verdict SolveRound(
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state) =>
+        form.Way.IsKnown && form.Way.Slope == 0
             ? AxialDepth<TA, TB>.Solve(ref a, ref b, frame, form.Way, ref state)
             : CylinderDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
-        if (trace.IsOn && verdict != Verdict.Undecided) Tell(ref a, ref b, frame, before, ref trace);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static Verdict TellRound<TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state, ref TTrace trace)
+        where TTrace : struct, IPolytopeTrace
+    {
+        SolverState before = state;
+        Verdict verdict = SolveRound(ref a, ref b, frame, form, ref state);
+        if (verdict != Verdict.Undecided) Tell(ref a, ref b, frame, before, ref trace);
         return verdict;
     }
 
@@ -154,9 +175,12 @@ internal static class SignedSolver<TA, TB>
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Tell<TTrace>(ref TA a, ref TB b, in PairFrame frame, SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace =>
+    private static void Tell<TTrace>(ref TA a, ref TB b, in PairFrame frame, in SolverState begin, ref TTrace trace)
+        where TTrace : struct, IPolytopeTrace
+    {
+        SolverState state = begin;
         GjkDepth<TA, TB>.Solve(ref a, ref b, frame, ref state, ref trace);
+    }
 
     /// <summary>Puts the warm start's simplex and normal, or the cold query's, into the state.</summary>
     private static void Begin(

@@ -47,7 +47,7 @@ internal static class SmoothNormal<TA, TB>
     {
         double size = state.Size.Value, length = 1;
         Double3 normal = known.Normal;
-        Simplex.Begin(out Simplex end);
+        Uncleared.Begin(out DifferenceVertex end);
         Double3 w = Support(ref a, ref b, frame, normal, ref state, ref end);
         for (int steps = 0; length > LastStep; steps++)
         {
@@ -72,8 +72,8 @@ internal static class SmoothNormal<TA, TB>
         double cost = Double3.Dot(normal, w);
         if (!(cost <= known.Above + GjkTolerances.Noise * size)) return false;
         if (!((w - normal * cost).Length <= Beside * size)) return false;
-        end.Select(1, 0, 0, 0, 0);
-        state.Simplex = end;
+        state.Simplex.At(0) = end;
+        state.Simplex.Select(1, 0, 0, 0, 0);
         new DepthBounds { Normal = normal, Above = cost }.Store(ref state, cost);
         return true;
     }
@@ -81,17 +81,17 @@ internal static class SmoothNormal<TA, TB>
     /// <summary>How fast the support moves as the normal turns.</summary>
     private static Double3 Slope(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 across, ref SolverState state,
-        ref Simplex end)
+        ref DifferenceVertex end)
     {
         Double3 after = Support(ref a, ref b, frame, normal + across * Turn, ref state, ref end);
         return (after - Support(ref a, ref b, frame, normal - across * Turn, ref state, ref end)) * (0.5 / Turn);
     }
 
     private static Double3 Support(
-        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref Simplex end)
+        ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref DifferenceVertex end)
     {
         state.Iterations++;
-        MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref end.At(0), out Double3 w);
+        MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref end, out Double3 w);
         return w;
     }
 }

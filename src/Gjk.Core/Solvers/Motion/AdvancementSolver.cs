@@ -18,23 +18,14 @@ namespace Gjk.Core;
 /// up to the end. Undecided: the steps ran out, and they are apart up to the fraction. Contradiction: as the distance
 /// has it.</para>
 /// </remarks>
-internal static class AdvancementSolver
+internal static class AdvancementSolver<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
-    /// <summary>Count: the largest number of distances that a query asks for. Random motions of up to ten turns take 4
-    /// in the median and some hundreds at worst. A backstop: more would only cost time, and a quarter is enough for all
-    /// that the tests move.</summary>
-    public const int MaxSteps = 1024;
-
     /// <summary>Counts: after so many steps, and after each four times as many, it pays to measure how far the bodies
     /// reach from their axes, by twice as many supports as there were steps. Larger factors would only cost time.
     /// Pinned by TimeOfImpactTests.AWheelPassesAFloor.</summary>
     private const int MeasureAfter = 8, MeasureFactor = 4, SupportsPerStep = 2;
-
-    /// <summary>Ratios to the tolerance: steps leave a proved gap of the floor, and aim at half of the gap that is
-    /// accepted. The rest is left for rounding the fraction to a float. Pinned by ImpactToleranceTests.</summary>
-    internal const double FloorRatio = 1.0 / 64, MostAccepted = 1.0 / 2;
-
-    private const double LeastAccepted = 1.0 / 8;
 
     /// <summary>Ratio to a fraction: 2^-23, at least the distance to the float before. Pinned by
     /// ImpactToleranceTests.</summary>
@@ -52,11 +43,9 @@ internal static class AdvancementSolver
     /// <param name="warmStart">Where the first round begins; updated.</param>
     /// <param name="impact">What was found.</param>
     /// <param name="state">Of the last round.</param>
-    public static void Solve<TA, TB>(
+    public static void Solve(
         ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, double tolerance,
         double floor, bool leaves, ref WarmStart warmStart, out Impact impact, out SolverState state)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         impact = default;
         impact.Fraction = interval.Begin;
@@ -65,8 +54,8 @@ internal static class AdvancementSolver
         while (TryMeasure(ref a, ref b, frame, ref warmStart, ref impact, out state, out double gap))
         {
             double accepted = Math.Max(
-                Math.Min(tolerance - speed * impact.Fraction * FloatStep, MostAccepted * tolerance),
-                LeastAccepted * tolerance);
+                Math.Min(tolerance - speed * impact.Fraction * FloatStep, Impact.MostAccepted * tolerance),
+                Impact.LeastAccepted * tolerance);
             bool isNear = gap <= accepted;
             TurningPlane.Choose(
                 state, frame, motion, impact.Fraction, interval.End, isNear ? 0 : 0.5 * accepted,
@@ -96,10 +85,8 @@ internal static class AdvancementSolver
     }
 
     /// <summary>Goes along the plane as far as is proved; the frame is that of the fraction returned.</summary>
-    internal static double Advance<TA, TB>(
+    internal static double Advance(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end, double floor)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         double next = Math.Min(plane.Start + plane.Step, end), step = next - plane.Start;
         motion.MoveTo(next, ref frame);
@@ -113,19 +100,16 @@ internal static class AdvancementSolver
     /// <summary>Goes on as long as the plane, if it stands still, separates all that the bodies can turn to: a wheel
     /// passes a wall in one step.</summary>
     /// <returns>False where the other way goes further.</returns>
-    internal static bool TrySweep<TA, TB>(
+    internal static bool TrySweep(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end, double floor,
         bool isMeasured, out double next)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         next = plane.Start;
         if (!isMeasured) return false;
         Double3 normal = plane.Normal;
         double gap = -Double3.Dot(normal, motion.Between(plane.Start)) - frame.Margins;
         gap -= Reach(ref a, motion.A, frame.RotationA.InverseRotate(-normal), -normal);
-        gap -= Reach(
-            ref b, motion.B, frame.Rotation.InverseRotate(frame.RotationA.InverseRotate(normal)), normal);
+        gap -= Reach(ref b, motion.B, frame.Rotation.InverseRotate(frame.RotationA.InverseRotate(normal)), normal);
         if (!(gap > floor)) return false;
         double rate = -Double3.Dot(normal, motion.Velocity);
         next = rate < 0 ? Math.Min(plane.Start + (gap - floor) / -rate, end) : end;
@@ -146,11 +130,9 @@ internal static class AdvancementSolver
     /// <summary>Shapes that are within the tolerance and on their way apart do not hit: resting or just parted ones
     /// could not be moved at all. They leave if a step is proved that ends well outside the tolerance, or at the
     /// end.</summary>
-    private static bool TryLeave<TA, TB>(
+    private static bool TryLeave(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end,
         double outside, double floor, out double next)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         next = plane.Start;
         if (!(plane.Rate >= 0) || !(plane.Gap > floor)) return false;
@@ -165,11 +147,9 @@ internal static class AdvancementSolver
 
     /// <summary>Asks for the distance where the pair is now.</summary>
     /// <returns>False where that is the end: they touch, or there is no distance.</returns>
-    private static bool TryMeasure<TA, TB>(
+    private static bool TryMeasure(
         ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, ref Impact impact, out SolverState state,
         out double gap)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         SolverState.Begin<TA, TB>(frame, out state);
         NoTrace trace = default;
@@ -207,6 +187,15 @@ internal readonly struct FractionInterval(double begin, double end)
 /// <summary>What an advancement found.</summary>
 internal struct Impact
 {
+    /// <summary>Count: the largest number of distances that a query asks for. Random motions of up to ten turns take 4
+    /// in the median and some hundreds at worst. A backstop: more would only cost time, and a quarter is enough for all
+    /// that the tests move.</summary>
+    public const int MaxSteps = 1024;
+
+    /// <summary>Ratios to the tolerance: steps leave a proved gap of the floor, and aim at half of the gap that is
+    /// accepted. The rest is left for rounding the fraction to a float. Pinned by ImpactToleranceTests.</summary>
+    public const double FloorRatio = 1.0 / 64, MostAccepted = 1.0 / 2, LeastAccepted = 1.0 / 8;
+
     /// <summary>Enclosed where the shapes come within the tolerance, Apart where they do not.</summary>
     public MotionVerdict Outcome;
 
@@ -230,6 +219,6 @@ internal struct Impact
         Outcome = fraction >= end ? MotionVerdict.Miss : MotionVerdict.Undecided;
         bool isLater = fraction > Fraction;
         Fraction = Math.Max(Fraction, Math.Min(fraction, end));
-        return isLater && Outcome != MotionVerdict.Miss && Steps < AdvancementSolver.MaxSteps;
+        return isLater && Outcome != MotionVerdict.Miss && Steps < MaxSteps;
     }
 }

@@ -7,7 +7,9 @@ namespace Gjk.Core;
 /// points stay where they are but for a small part of its error. There the textbook's walk goes on until the distance
 /// stops falling. Nothing but the last digits depend on its end, so nothing need be proved: the normal is taken if its
 /// plane is at least as good as the one that is known.</remarks>
-internal static class CastNormal
+internal static class CastNormal<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Ratio to the radii: how far B is moved away. A quarter of it, and four times as much, keep all that
     /// CurvedCastTests ask.</summary>
@@ -23,10 +25,8 @@ internal static class CastNormal
 
     /// <summary>Makes normal and point sharper; the simplex in the state is used up.</summary>
     /// <returns>The gap between the shapes along the normal, negative where they reach past each other.</returns>
-    public static double Sharpen<TA, TB>(
+    public static double Sharpen(
         ref TA a, ref TB b, ref PairFrame frame, in CastLine line, ref SolverState state, ref CastFinding cast)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         Double3 contact = frame.Translation;
         double known = GapAlong(ref a, ref b, frame, cast.Normal, ref state.Simplex, ref cast);
@@ -36,8 +36,7 @@ internal static class CastNormal
         double length = Math.Sqrt(feature.NormalSquared);
         if (!(length > 0)) return known;
         Double3 normal = feature.Normal * (-1 / length);
-        state.Simplex.Select(
-            vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
+        state.Simplex.Select(vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
         Double3 onA = state.Simplex.MeanOnA(ClosestPointWeights.Of(state.Simplex));
         frame.Translation = contact;
         double slope = -Double3.Dot(normal, line.Axis);
@@ -50,10 +49,8 @@ internal static class CastNormal
     }
 
     /// <summary>The gap between the shapes along a normal, negative where they reach past each other.</summary>
-    private static double GapAlong<TA, TB>(
+    private static double GapAlong(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref Simplex simplex, ref CastFinding cast)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref simplex.At(0), out Double3 w);
         cast.Iterations++;
@@ -61,10 +58,8 @@ internal static class CastNormal
     }
 
     /// <summary>The feature nearest the origin, as near as a double can tell.</summary>
-    private static ClosestFeature Walk<TA, TB>(
+    private static ClosestFeature Walk(
         ref TA a, ref TB b, in PairFrame frame, ref FeatureVertices vertices, ref Simplex simplex, ref CastFinding cast)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         ClosestFeature feature = default;
         feature.Normal = -cast.Normal;

@@ -206,8 +206,7 @@ internal static class CastPortal
     }
 
     /// <summary>The corner without which the line still passes between the others and the newest vertex.</summary>
-    private static void Replace(
-        ref FeatureVertices portal, in MinkowskiVertex newest, in Double3 axis, double turn)
+    private static void Replace(ref FeatureVertices portal, in MinkowskiVertex newest, in Double3 axis, double turn)
     {
         Double3 moment = Double3.Cross(axis, newest.W) * turn;
         bool a = Double3.Dot(moment, portal.A.W) >= 0;

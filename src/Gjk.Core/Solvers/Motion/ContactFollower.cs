@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>What becomes of a contact of two cores that move and turn: it ends, it gets deeper than is allowed, or it
-/// lasts. Conservative advancement as in <see cref="AdvancementSolver"/>, of bodies that are shrunk by what is
+/// lasts. Conservative advancement as in <see cref="AdvancementSolver{TA, TB}"/>, of bodies that are shrunk by what is
 /// allowed.</summary>
 /// <remarks>
 /// <para>Each round asks for the signed distance at the fraction reached. Its plane, moved back by what is allowed,
@@ -17,7 +17,9 @@ namespace Gjk.Core;
 /// up to the end. Undecided: the steps ran out; it is no deeper up to the fraction. Contradiction: as the signed
 /// distance has it.</para>
 /// </remarks>
-internal static class ContactFollower
+internal static class ContactFollower<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Ratio to the tolerance: the gap at which a contact is over. Pinned by TouchingImpactTests.</summary>
     private const double Ended = 2;
@@ -51,13 +53,11 @@ internal static class ContactFollower
     /// <param name="allowed">In solver units: how deep they may get, if they are not deeper at the fraction 0
     /// already.</param>
     /// <param name="impact">Gets the end; its steps and iterations are counted on.</param>
-    public static void Solve<TA, TB>(
+    public static void Solve(
         ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, in FractionInterval interval, double tolerance,
         double allowed, ref Impact impact)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
-        double floor = AdvancementSolver.FloorRatio * tolerance, accepted = AdvancementSolver.MostAccepted * tolerance;
+        double floor = Impact.FloorRatio * tolerance, accepted = Impact.MostAccepted * tolerance;
         double margin = frame.MarginA, shrunk = 0;
         impact.Fraction = interval.Begin;
         motion.A.Measure(ref a, MeasuredDirections);
@@ -86,15 +86,14 @@ internal static class ContactFollower
             impact.Outcome = gap > 0 ? MotionVerdict.Over : MotionVerdict.Hit;
             if (gap + shrunk <= accepted || gap >= Ended * tolerance) return;
             frame.MarginA = margin - shrunk;
-            TurningPlane.Choose(
-                state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out plane);
+            TurningPlane.Choose(state, frame, motion, impact.Fraction, interval.End, 0.5 * accepted, out plane);
             double next;
             bool isOver = TryEnd(
                 ref a, ref b, ref frame, motion, plane, interval.End, shrunk + Ended * tolerance, floor, out next);
-            if (!isOver && !AdvancementSolver.TrySweep(
+            if (!isOver && !AdvancementSolver<TA, TB>.TrySweep(
                 ref a, ref b, ref frame, motion, plane, interval.End, floor, true, out next))
             {
-                next = AdvancementSolver.Advance(ref a, ref b, ref frame, motion, plane, interval.End, floor);
+                next = AdvancementSolver<TA, TB>.Advance(ref a, ref b, ref frame, motion, plane, interval.End, floor);
             }
 
             frame.MarginA = margin;
@@ -105,11 +104,9 @@ internal static class ContactFollower
     }
 
     /// <summary>Looks for a proved gap; the frame is moved there, or left as it was.</summary>
-    private static bool TryEnd<TA, TB>(
+    private static bool TryEnd(
         ref TA a, ref TB b, ref PairFrame frame, in PairMotion motion, in TurningPlane plane, double end,
         double outside, double floor, out double next)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         PairFrame here = frame;
         next = plane.Start;
@@ -129,11 +126,9 @@ internal static class ContactFollower
 
     /// <summary>The gap along the last plane, as it has turned, in place of a signed distance.</summary>
     /// <returns>False where it is no more than the least.</returns>
-    private static bool TryKeep<TA, TB>(
+    private static bool TryKeep(
         ref TA a, ref TB b, in PairFrame frame, in TurningPlane plane, double fraction, double least,
         out SolverState state, out double gap)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         SolverState.Begin<TA, TB>(frame, out state);
         state.Feature.Normal = plane.NormalAt(frame, fraction);
@@ -146,10 +141,8 @@ internal static class ContactFollower
     }
 
     /// <summary>The signed distance where the pair is now, and the plane that bounds it from below.</summary>
-    private static bool TryMeasure<TA, TB>(
+    private static bool TryMeasure(
         ref TA a, ref TB b, in PairFrame frame, ref Impact impact, out SolverState state, out double gap)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         SolverState.Begin<TA, TB>(frame, out state);
         WarmStart unused = default;

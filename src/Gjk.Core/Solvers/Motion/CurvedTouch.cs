@@ -6,7 +6,9 @@ namespace Gjk.Core;
 /// <remarks>The plane that separates the shapes there bounds the depth where B was, soundly. The bound is sharp where
 /// its normal is that of the shortest way out: one that is off by an angle costs half its square of the length. The
 /// second look begins with the first one's normal, which is sharper than that of the depth.</remarks>
-internal static class CurvedTouch
+internal static class CurvedTouch<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Ratio to the size: how far B is moved out, far above the depth and below the shapes' radii. Four times
     /// more or less changes nothing but how many looks are enough. Pinned by TouchingStartTests.</summary>
@@ -26,10 +28,8 @@ internal static class CurvedTouch
     /// <param name="frame">The pair.</param>
     /// <param name="state">Its signed distance.</param>
     /// <param name="touch">Gets normal and point, as sharp as those of a cast.</param>
-    public static bool TryFind<TA, TB>(
+    public static bool TryFind(
         ref TA a, ref TB b, in PairFrame frame, in SolverState state, out CastFinding touch)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         touch = default;
         return TryLook(ref a, ref b, frame, state, ref touch, out double gap)
@@ -45,10 +45,8 @@ internal static class CurvedTouch
     /// <param name="gap">The gap between the planes across the normal, in solver units: at most the signed distance,
     /// and sharp where the normal is that of the shortest way out.</param>
     /// <returns>False where they are deeper.</returns>
-    public static bool TryLook<TA, TB>(
+    public static bool TryLook(
         ref TA a, ref TB b, in PairFrame frame, in SolverState state, ref CastFinding touch, out double gap)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         gap = double.NegativeInfinity;
         double size = state.Size.Value, scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
@@ -70,7 +68,7 @@ internal static class CurvedTouch
             CastLine outward = default;
             outward.Axis = -touch.Normal;
             moved.Translation = frame.Translation;
-            gap = CastNormal.Sharpen(ref a, ref b, ref moved, outward, ref apart, ref touch);
+            gap = CastNormal<TA, TB>.Sharpen(ref a, ref b, ref moved, outward, ref apart, ref touch);
         }
 
         return true;

@@ -16,7 +16,9 @@ namespace Gjk.Core;
 /// <para>Verdicts. Hit: they get deeper, or nothing proves that they do not, so that no contact is lost. Miss: they do
 /// not. Contradiction: as the signed distance has it.</para>
 /// </remarks>
-internal static class DeepeningSolver
+internal static class DeepeningSolver<TA, TB>
+    where TA : struct, ISupportMap
+    where TB : struct, ISupportMap
 {
     /// <summary>Count: a bracket is halved in each round where the shapes are round, and what is left open falls by
     /// four. Random pairs take less than ten; more are harmless. Pinned by CastOptionsTests.</summary>
@@ -29,10 +31,8 @@ internal static class DeepeningSolver
     /// <param name="motion">Of B, seen from A, in A's frame, for the fraction 1.</param>
     /// <param name="part">From where on, to where, and what is allowed, in solver units.</param>
     /// <param name="iterations">Support calls made on each shape are added.</param>
-    public static MotionVerdict Solve<TA, TB>(
+    public static MotionVerdict Solve(
         ref TA a, ref TB b, ref PairFrame frame, in Double3 motion, in DeepeningPart part, ref int iterations)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         if (CastLine.Make(frame, motion, out CastLine line) != MotionVerdict.Hit) return MotionVerdict.Miss;
         double begin = (part.From - line.Middle) * line.Speed, end = (part.To - line.Middle) * line.Speed;
@@ -83,11 +83,9 @@ internal static class DeepeningSolver
     }
 
     /// <summary>The signed distance where B is now, and the plane that bounds it.</summary>
-    private static bool TryLook<TA, TB>(
+    private static bool TryLook(
         ref TA a, ref TB b, in PairFrame frame, in Double3 axis, bool isSharp, ref int iterations,
         out DepthLook look)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         SolverState.Begin<TA, TB>(frame, out SolverState state);
         WarmStart unused = default;
@@ -120,15 +118,13 @@ internal static class DeepeningSolver
 
     /// <summary>Of curved cores: a distance leaves less open than a depth does, and a depth that is hardly more than
     /// touching is looked at from outside. Where a slope is allowed, it is more than all that.</summary>
-    private static void Sharpen<TA, TB>(
+    private static void Sharpen(
         ref TA a, ref TB b, in PairFrame frame, in Double3 axis, in SolverState state, ref int iterations,
         ref DepthLook look)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
     {
         CastFinding touch = default;
         bool isSharp = look.Most > look.Touch;
-        if (!isSharp && CurvedTouch.TryLook(ref a, ref b, frame, state, ref touch, out double gap))
+        if (!isSharp && CurvedTouch<TA, TB>.TryLook(ref a, ref b, frame, state, ref touch, out double gap))
         {
             look.Most = look.Least = Math.Max(gap, look.Least);
             look.Slope = Double3.Dot(touch.Normal, axis);

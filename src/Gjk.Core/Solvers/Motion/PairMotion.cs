@@ -28,8 +28,7 @@ internal struct PairMotion
     /// <param name="motionB">B's.</param>
     /// <param name="frame">The pair at the start.</param>
     /// <param name="motion">Gets the pair's motion.</param>
-    public static void Begin(
-        in RigidMotion motionA, in RigidMotion motionB, in PairFrame frame, out PairMotion motion)
+    public static void Begin(in RigidMotion motionA, in RigidMotion motionB, in PairFrame frame, out PairMotion motion)
     {
         TurningBody.Begin(motionA, frame.TurnOfA, frame.CenterA, frame.RadiusA - frame.MarginA, out motion.A);
         TurningBody.Begin(motionB, frame.TurnOfB, frame.CenterB, frame.RadiusB - frame.MarginB, out motion.B);

@@ -15,21 +15,13 @@ namespace Gjk.Unity
             separation = point.Gap;
         }
 
-        internal ColliderContact(in ColliderDistance3D nearest)
-        {
-            pointA = nearest.pointA;
-            pointB = nearest.pointB;
-            normal = nearest.normal;
-            separation = nearest.distance;
-        }
-
         /// <summary>On the surface of A.</summary>
         public Vector3 pointA { get; }
 
         /// <summary>On the surface of B.</summary>
         public Vector3 pointB { get; }
 
-        /// <summary>A unit vector from A to B, the same for all points of a pair.</summary>
+        /// <summary>A unit vector from A to B, the same for all points of a pair of parts.</summary>
         public Vector3 normal { get; }
 
         /// <summary>Between the two points along the normal; negative inside each other.</summary>

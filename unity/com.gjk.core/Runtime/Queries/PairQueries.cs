@@ -16,6 +16,9 @@ namespace Gjk.Unity
         [ThreadStatic]
         private static List<PairDistance> _parts;
 
+        [ThreadStatic]
+        private static List<PairContacts> _contacts;
+
         private static ConcaveScratch Scratch => _scratch ?? (_scratch = new ConcaveScratch());
 
         /// <summary>The distance, 0 where the shapes overlap; beyond the limit the query may end.</summary>
@@ -39,6 +42,42 @@ namespace Gjk.Unity
             }
 
             return found;
+        }
+
+        /// <summary>The points of contact; where there are more than fit, the deepest.</summary>
+        /// <returns>How many there are in the results.</returns>
+        public static int Contacts(in PosedShape a, in PosedShape b, float maxGap, ColliderContact[] results)
+        {
+            int count = 0;
+            if (a.IsConvex && b.IsConvex)
+            {
+                ConvexQuery.Contacts(a.Shape, a.Pose, b.Shape, b.Pose, maxGap, out ContactManifold found);
+                Keep(found, results, ref count);
+                return count;
+            }
+
+            if (_contacts == null) _contacts = new List<PairContacts>();
+            ConcaveQuery.FindContacts(a.Any, a.Pose, b.Any, b.Pose, maxGap, Scratch, _contacts);
+            for (int i = 0; i < _contacts.Count; i++) Keep(_contacts[i].Manifold, results, ref count);
+            return count;
+        }
+
+        private static void Keep(in ContactManifold manifold, ColliderContact[] results, ref int count)
+        {
+            for (int i = 0; i < manifold.Count; i++)
+            {
+                var point = new ColliderContact(manifold[i], manifold.Normal);
+                if (count < results.Length)
+                {
+                    results[count++] = point;
+                    continue;
+                }
+
+                int last = 0;
+                for (int k = 1; k < count; k++)
+                    if (results[k].separation > results[last].separation) last = k;
+                if (count > 0 && point.separation < results[last].separation) results[last] = point;
+            }
         }
 
         public static bool Overlaps(in PosedShape a, in PosedShape b) =>

@@ -1,0 +1,139 @@
+namespace Gjk.Core;
+
+public sealed partial class CollisionScene
+{
+    private readonly List<PairDistance> _guestDistances = [];
+    private readonly List<PairContacts> _guestContacts = [];
+
+    /// <summary>How far a shape that is none of the scene's is from the objects near it. Of an object that is not
+    /// convex each part that is near has a distance of its own, as <c>ConcaveQuery.FindPairsWithin</c> gives
+    /// it.</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="distance">At least 0: what is further away is left out. Infinite for all.</param>
+    /// <param name="results">Emptied first; then -1 for the shape (A) and an object (B) each, sorted by ids and parts,
+    /// with the bits of <c>ConvexQuery.Distance</c>.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    public void FindDistances(
+        in ConvexShape shape, in RigidPose pose, float distance, List<PairDistance> results,
+        in QueryFilter filter = default)
+    {
+        CheckDistance(distance, nameof(distance));
+        Guard.NotNull(results, nameof(results));
+        Invite(shape, pose, distance, filter, out int guest);
+        ConcaveScratch scratch = _objects.Parts.Rent();
+        results.Clear();
+        foreach (int slot in _near)
+        {
+            if (_objects.Parts.Has(slot))
+            {
+                _objects.Parts.FindDistances(new ObjectPair(guest, slot), distance, scratch, _guestDistances);
+                results.AddRange(_guestDistances);
+                continue;
+            }
+
+            DistanceResult found = ConvexQuery.Distance(
+                shape, pose, _objects.Shapes[slot], _objects.Poses[slot], distance);
+            if (found.Status != GjkStatus.BeyondMaxDistance)
+                results.Add(new PairDistance(found, pair: _objects.IdsOf(new ObjectPair(guest, slot))));
+        }
+
+        _objects.Parts.Return(scratch);
+        _objects.Dismiss();
+    }
+
+    /// <summary>How deep a shape that is none of the scene's is in the objects that it overlaps, touching included. Of
+    /// an object that is not convex each part that it overlaps has a depth of its own, as
+    /// <c>ConcaveQuery.FindDepths</c> gives it.</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="results">Emptied first; then -1 for the shape (A) and an object (B) each, sorted by ids and parts,
+    /// with the bits of <c>ConvexQuery.SignedDistance</c>.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    public void FindDepths(
+        in ConvexShape shape, in RigidPose pose, List<PairDistance> results, in QueryFilter filter = default)
+    {
+        Guard.NotNull(results, nameof(results));
+        Invite(shape, pose, 0, filter, out int guest);
+        ConcaveScratch scratch = _objects.Parts.Rent();
+        results.Clear();
+        foreach (int slot in _near)
+        {
+            var pair = new ObjectPair(guest, slot);
+            if (_objects.Parts.Has(slot))
+            {
+                _objects.Parts.FindDepths(pair, scratch, _guestDistances);
+                results.AddRange(_guestDistances);
+            }
+            else if (ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]))
+            {
+                results.Add(_objects.DepthOf(pair));
+            }
+        }
+
+        _objects.Parts.Return(scratch);
+        _objects.Dismiss();
+    }
+
+    /// <summary>The contact points of a shape that is none of the scene's with the objects that it overlaps, or is no
+    /// further from than a gap: those that it would have in <see cref="FindContacts(float, List{PairContacts},
+    /// Workers)"/> as a moving object of the scene. The seams of static objects are left out there, too
+    /// (<see cref="JoinsStatic"/>).</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct: A of the results.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="maxGap">At least 0: points, and objects, further apart are left out.</param>
+    /// <param name="results">Emptied first; then -1 for the shape (A) and an object (B) each, sorted by ids and parts,
+    /// with the bits of <c>ConvexQuery.Contacts</c>; of objects that are not convex one manifold for each part, with
+    /// the bits of <c>ConcaveQuery.FindContacts</c>.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The gap is negative or NaN.</exception>
+    public void FindContacts(
+        in ConvexShape shape, in RigidPose pose, float maxGap, List<PairContacts> results,
+        in QueryFilter filter = default)
+    {
+        CheckDistance(maxGap, nameof(maxGap));
+        Guard.NotNull(results, nameof(results));
+        Invite(shape, pose, maxGap, filter, out int guest);
+        ConcaveScratch scratch = _objects.Parts.Rent();
+        results.Clear();
+        foreach (int slot in _near)
+        {
+            var pair = new ObjectPair(guest, slot);
+            if (_objects.Parts.Has(slot))
+            {
+                _objects.Parts.FindContacts(pair, maxGap, scratch, _guestContacts);
+                results.AddRange(_guestContacts);
+                continue;
+            }
+
+            PairContacts found = _objects.ContactsOf(pair, maxGap);
+            if (found.Manifold.Count > 0) results.Add(found);
+        }
+
+        _objects.Parts.Return(scratch);
+        if (JoinsStatic) _seams.Remove(results, maxGap);
+        _objects.Dismiss();
+    }
+
+    /// <summary>Collects the objects that are seen and whose bounds are within a distance of a shape, sorted, and then
+    /// puts it beside them.</summary>
+    private void Invite(
+        in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter, out int guest)
+    {
+        CheckShape(shape);
+        CheckPose(pose);
+        _phase.CollectInBox(Widened(new ShapeBounds(shape).BoxAt(pose), distance), _near);
+        int kept = 0;
+        for (int i = 0; i < _near.Count; i++)
+            if (_objects.IsSeen(_near[i], filter)) _near[kept++] = _near[i];
+        _near.RemoveRange(kept, _near.Count - kept);
+        guest = _objects.Invite(shape, pose);
+    }
+}
