@@ -178,7 +178,7 @@ public class HalfSpaceTests
             var turn = new RigidPose(rng.Rotation(), far);
             ConvexShape plane = ConvexShape.HalfSpace(normal, rng.Float(-1, 1)).Placed(new RigidPose(far)).Placed(turn);
             ConvexShape back = plane.Placed(turn.Inverse()).Placed(new RigidPose(-far));
-            Assert.Equal((double)plane.Normal.Length(), 1, 1e-6);
+            Assert.Equal(1, (double)plane.Normal.Length(), 1e-6);
             Assert.True(Math.Abs(back.Offset) < 10, $"seed {seed}: {back}");
             ConvexShape moved = ConvexShape.HalfSpace(normal, 0.5f).Placed(new RigidPose(far));
             ConvexShape same = moved.Placed(new RigidPose(-far));
