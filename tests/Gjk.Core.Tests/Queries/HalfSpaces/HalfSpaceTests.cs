@@ -180,8 +180,8 @@ public class HalfSpaceTests
             ConvexShape back = plane.Placed(turn.Inverse()).Placed(new RigidPose(-far));
             Assert.Equal(1, (double)plane.Normal.Length(), 1e-6);
             Assert.True(Math.Abs(back.Offset) < 10, $"seed {seed}: {back}");
-            ConvexShape moved = ConvexShape.HalfSpace(normal, 0.5f).Placed(new RigidPose(far));
-            ConvexShape same = moved.Placed(new RigidPose(-far));
+            ConvexShape moved = ConvexShape.HalfSpace(normal, 0.5f).Placed(new RigidPose(far * 1e5f));
+            ConvexShape same = moved.Placed(new RigidPose(far * -1e5f));
             Assert.Equal(ConvexShape.HalfSpace(normal, 0.5f).Offset, same.Offset);
         }
     }
