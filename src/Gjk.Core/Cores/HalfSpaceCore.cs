@@ -44,6 +44,9 @@ internal readonly struct HalfSpaceCore
     public double Outside(in QuaternionD rotation, in VectorDD point) =>
         (double)(VectorDD.Dot(VectorDD.Rotate(rotation, Exact), point) - ExactOffset);
 
+    /// <summary>What lies on the other side of the plane.</summary>
+    public HalfSpaceCore Complement => new(-Normal, -NormalError, -Offset);
+
     /// <summary>Widens it.</summary>
     public HalfSpaceCore Widened(double radius) => new(Exact, ExactOffset + DoubleDouble.Product(Length, radius));
 

@@ -43,7 +43,7 @@ public static partial class ConvexQuery
             return false;
         }
 
-        if (hit.IsAtSurface && IsInside(ref shape, pose, line.Origin)) hit.Status = CastStatus.OverlappingAtStart;
+        if (hit.IsAtSurface && IsInside(ref shape, pose, point.Position)) hit.Status = CastStatus.OverlappingAtStart;
         double fraction = hit.Distance / length;
         if (hit.Status == CastStatus.Hit && CastSolver.IsBeyond(fraction, Math.Max(maxFraction, 0)))
             hit.Status = CastStatus.Miss;
@@ -53,7 +53,7 @@ public static partial class ConvexQuery
                 CastStatus.Hit, fraction, (Vector3)(hit.Point + (Double3)translation * fraction),
                 (Vector3)hit.Normal, 0),
             CastStatus.Miss => CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0),
-            _ => new CastResult(hit.Status, 0, line.Origin, (Vector3)hit.Normal, 0),
+            _ => new CastResult(hit.Status, 0, point.Position, (Vector3)hit.Normal, 0),
         };
         return true;
     }

@@ -58,13 +58,13 @@ public static partial class ConvexQuery
             Normal = (Vector3)hit.Normal,
         };
         Settle(
-            ref shape, pose, ref point, new RigidPose(line.Origin), line.Direction * (1 / line.Length), fraction,
-            line.Reach, options, ref contact);
+            ref shape, pose, ref point, new RigidPose((Vector3)line.Origin), line.Direction * (1 / line.Length),
+            fraction, line.Reach, options, ref contact);
         int iterations = hit.Iterations + contact.Iterations;
         if (contact.Status is CastStatus.Hit or CastStatus.OverlappingAtStart)
         {
             return new RayCastResult(
-                contact.Status, fraction, isStart ? line.Origin : contact.Point, contact.Normal, iterations,
+                contact.Status, fraction, isStart ? (Vector3)line.Origin : contact.Point, contact.Normal, iterations,
                 contact.Depth);
         }
 
@@ -91,7 +91,7 @@ public static partial class ConvexQuery
         {
             SearchRay(ref shape, pose, line, out hit);
         }
-        else if (hit.IsAtSurface && IsInside(ref shape, pose, line.Origin))
+        else if (hit.IsAtSurface && IsInside(ref shape, pose, (Vector3)line.Origin))
         {
             hit.Status = CastStatus.OverlappingAtStart;
         }
@@ -125,7 +125,7 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsRay(in RigidPose pose, double turn, in WorldRay line) =>
         turn > 0 & line.Length > 0 & line.Length <= PairFrame.MaxMagnitude & line.Reach >= 0
-            & Guard.IsFinite(line.Origin) & Guard.IsFinite(pose.Position);
+            & line.Origin.SumOfMagnitudes < double.PositiveInfinity & Guard.IsFinite(pose.Position);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static bool IsInside<T>(ref T shape, in RigidPose pose, Vector3 point)
@@ -143,7 +143,7 @@ public static partial class ConvexQuery
     {
         PointShape point = default;
         var question = new RayQuestion(line);
-        PairQuery.Run(shape, pose, point, new RigidPose(line.Origin), ref question, out hit);
+        PairQuery.Run(shape, pose, point, new RigidPose((Vector3)line.Origin), ref question, out hit);
     }
 
     /// <summary>Where a point that is cast meets a core.</summary>

@@ -1,7 +1,8 @@
 namespace Gjk.Core;
 
 /// <summary>When a half-space and a shape that move and turn come together: conservative advancement as in
-/// <see cref="AdvancementSolver{TA, TB}"/> and <see cref="ContactFollower{TA, TB}"/>, with the gap in closed form.</summary>
+/// <see cref="AdvancementSolver{TA, TB}"/> and <see cref="ContactFollower{TA, TB}"/>, with the gap in closed
+/// form.</summary>
 /// <remarks>
 /// <para>The gap is the least of n · x over the other's points. In the half-space's axes n stands still, and such a
 /// point is a sum of turned vectors, whose second derivative is bounded: with q from pivot to point, v the velocity

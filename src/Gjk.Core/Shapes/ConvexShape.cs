@@ -192,6 +192,9 @@ public readonly partial struct ConvexShape
     /// <summary>This, known to be a half-space.</summary>
     internal HalfSpaceCore AsHalfSpace => new(_parts.A, _parts.C, _parts.B);
 
+    /// <summary>The half-space on the other side of a half-space's plane.</summary>
+    internal ConvexShape Complement => Make(AsHalfSpace.Complement);
+
     private static Double3 CoreCenter(in ShapeParts parts) => parts.Kind switch
     {
         ShapeKind.Segment or ShapeKind.Capsule => (parts.A + parts.B) * 0.5,

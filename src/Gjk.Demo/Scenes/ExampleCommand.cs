@@ -4,7 +4,7 @@ using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>Writes a scene with every convex shape, as a beginning for the user's own.</summary>
+/// <summary>Writes a scene with every convex shape that ends, as a beginning for the user's own.</summary>
 internal static class ExampleCommand
 {
     private const string Resource = "example.scene.json";
@@ -18,7 +18,7 @@ internal static class ExampleCommand
         };
         var command = new Command(
             "example",
-            "Write a scene with every convex shape, to begin with. gjk-demo query reads it.")
+            "Write a scene with every convex shape that ends, to begin with. gjk-demo query reads it.")
         {
             output,
         };

@@ -83,7 +83,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Hulls/Building"] = 831,
         ["Hulls/Lookup"] = 878,
         ["Minkowski"] = 348,
-        ["Queries"] = 1818,
+        ["Queries"] = 1858,
         ["Queries/Rays"] = 575,
         ["Shapes"] = 977,
         ["Simplex"] = 897,

@@ -58,7 +58,7 @@ internal struct LocalRay
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void MakeFar(in RigidPose pose, in VectorDD center, in WorldRay line, out LocalRay ray)
     {
-        VectorDD between = (VectorDD)(Double3)line.Origin - (Double3)pose.Position;
+        VectorDD between = (VectorDD)line.Origin - (Double3)pose.Position;
         if (((Double3)center).SumOfMagnitudes > 0) between -= VectorDD.Rotate(pose.Rotation, center);
         Double3 direction = line.Direction;
         double inverse = 1 / line.Length;
@@ -79,7 +79,7 @@ internal struct LocalRay
     public static void MakeExact(in RigidPose pose, in ShapeForm form, in WorldRay line, out LocalRay ray)
     {
         Quaternion back = Quaternion.Conjugate(pose.Rotation);
-        VectorDD between = VectorDD.Rotate(back, (VectorDD)(Double3)line.Origin - (Double3)pose.Position);
+        VectorDD between = VectorDD.Rotate(back, (VectorDD)line.Origin - (Double3)pose.Position);
         VectorDD direction = VectorDD.Rotate(back, line.Direction) * (1 / line.Length);
         between = between - form.Center - form.CenterError;
         if (form.IsPlaced)

@@ -48,7 +48,7 @@ internal static class RayCaster
     {
         hit = default;
         if (form.IsRounded || !(radius >= LeastRadius && radius <= MostRadius)) return false;
-        Double3 between = (Double3)line.Origin - pose.Position;
+        Double3 between = line.Origin - pose.Position;
         if (form.Kind == FormKind.Ball && form.Center.SumOfMagnitudes == 0)
             return TryCastBall(form.Radius, pose, between, line, ref hit);
         bool isNear = TryApproach(
@@ -93,7 +93,7 @@ internal static class RayCaster
     {
         hit = default;
         if (!(radius >= LeastRadius && radius <= MostRadius)) return false;
-        Double3 between = (Double3)line.Origin - pose.Position;
+        Double3 between = line.Origin - pose.Position;
         if (form == FormKind.Ball) return TryCastBall(size.X, pose, between, line, ref hit);
         bool isNear = TryApproach(
             default, radius, between, pose, turn, line, ref hit, out RotationD rotation, out LocalRay ray);

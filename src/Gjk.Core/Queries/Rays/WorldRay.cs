@@ -1,10 +1,10 @@
 namespace Gjk.Core;
 
 /// <summary>A ray in the world, as it was asked for.</summary>
-internal readonly struct WorldRay(Vector3 origin, in Double3 direction, double length, double reach)
+internal readonly struct WorldRay(in Double3 origin, in Double3 direction, double length, double reach)
 {
     /// <summary>Where it begins.</summary>
-    public readonly Vector3 Origin = origin;
+    public readonly Double3 Origin = origin;
 
     /// <summary>Of any length but 0.</summary>
     public readonly Double3 Direction = direction;

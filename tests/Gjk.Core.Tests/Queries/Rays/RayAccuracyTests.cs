@@ -102,11 +102,27 @@ public class RayAccuracyTests
         string text = $"{name} at {TestShape.T(pose)} from {origin} along {direction}: {r}, truly {t}";
         if (IsFree(shape, t, r)) return CastStatus.None;
         Assert.True(r.Status == t.Status, text);
+        CheckExit(text, shape, pose, origin, direction, t);
         if (r.Status != CastStatus.Hit) return r.Status;
         Assert.True(r.Iterations == 0, text);
         Assert.True(Math.Abs(r.Distance - t.Distance) <= 1e-7 * Math.Max(shape.Scale, t.Distance), text);
         if (t.IsNormalUnique) Assert.True(((Double3)r.Normal - t.Normal).Length <= 1e-6, text);
         return r.Status;
+    }
+
+    /// <summary>The ray leaves where the reference has the end of the chord, along the normal there.</summary>
+    private static void CheckExit(
+        string text, RayShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, in TrueHit t)
+    {
+        RayCastResult end = ConvexQuery.RayExit(shape.Shape, pose, origin, direction);
+        text = $"{text}, left by {end}";
+        Assert.True(end.Status == (t.Status == CastStatus.Miss ? CastStatus.Miss : CastStatus.Hit), text);
+        if (end.Status == CastStatus.Miss) return;
+        Assert.True(Math.Abs(end.Distance - t.Exit) <= 1e-7 * Math.Max(shape.Scale, t.Exit), text);
+        Double3 along = direction;
+        bool isChord = t.Exit - t.Distance > 1e-6 * shape.Scale;
+        Assert.True(Double3.Dot(end.Normal, along) >= (isChord ? 0 : -1e-3) * along.Length, text);
+        Assert.InRange(end.Normal.Length(), 1 - 1e-6f, 1 + 1e-6f);
     }
 
     /// <summary>Where either answer is right: the chord is one of a line within 1e-9 of the surface.</summary>

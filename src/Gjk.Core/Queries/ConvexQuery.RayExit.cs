@@ -1,0 +1,85 @@
+namespace Gjk.Core;
+
+public static partial class ConvexQuery
+{
+    /// <summary>Ratio to the radius: how far beyond the foot the way back begins, so far out that a search begins anew
+    /// (RayQuestion). A matter of cost only.</summary>
+    private const double WayBack = 4;
+
+    /// <summary>Where a ray leaves a shape: the end of the part of it that is inside. With <c>RayCast</c>, which says
+    /// where that part begins, it is the whole of what a solid cuts out of a ray.</summary>
+    /// <typeparam name="T">The shape's type.</typeparam>
+    /// <param name="shape">The shape.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="origin">Where the ray begins, in the world; it may be inside.</param>
+    /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
+    /// <param name="maxDistance">World units: how far the ray reaches, +infinity for all the way; less than 0 counts as
+    /// 0.</param>
+    /// <returns>Hit: the last point of the ray that is in the closed shape, as far as <c>RayCast</c> promises it, and
+    /// the outward normal there, along which the ray leaves. Miss: the ray has no point in the shape, as <c>RayCast</c>
+    /// says it, or it is still inside where it ends. What is as thin as nothing is left where it is met.</returns>
+    /// <remarks>The line is followed backwards from beyond the shape, so entry and exit are found by one
+    /// code.</remarks>
+    public static RayCastResult RayExit<T>(
+        in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity)
+        where T : struct, ISupportMap
+    {
+        ref T inward = ref PairQuery.Inward(shape);
+        double reach = Math.Max(maxDistance, 0);
+        var line = new WorldRay(origin, direction, ((Double3)direction).Length, reach);
+        CastRay(ref inward, pose, line, out RayMeeting hit);
+        if (hit.Status == CastStatus.Hit || hit.Status == CastStatus.OverlappingAtStart)
+        {
+            int iterations = hit.Iterations;
+            if (HalfSpacePair.Is(ref inward)) FindEnd(ref inward, pose, line, ref hit);
+            else ComeBack(ref inward, pose, line, ref hit);
+            if (hit.Status == CastStatus.Hit && hit.Distance <= reach)
+            {
+                return new RayCastResult(
+                    CastStatus.Hit, hit.Distance, (Vector3)line.At(hit.Distance), (Vector3)hit.Normal,
+                    iterations + hit.Iterations);
+            }
+
+            if (hit.Status == CastStatus.Hit) hit.Status = CastStatus.Miss;
+        }
+
+        return RayCastResult.Nothing(
+            hit.Status, FractionOf(hit.Status, hit.Distance, (float)line.Reach), hit.Iterations);
+    }
+
+    /// <summary>The entry of the line's other direction, which no rounding takes before the first one's.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void ComeBack<T>(ref T shape, in RigidPose pose, in WorldRay line, ref RayMeeting hit)
+        where T : struct, ISupportMap
+    {
+        double radius = shape.BoundingRadius + shape.Margin;
+        double entry = hit.Status == CastStatus.Hit ? hit.Distance : 0;
+        Placement? placed = ShapeTraits<T>.Of.PlacementOf(ref shape);
+        VectorDD center = placed is null ? shape.Center : placed.ExactCenter;
+        LocalRay.MakeFar(pose, center, line, out LocalRay ray);
+        double far = ray.Shift + WayBack * radius;
+        Double3 beyond = (Double3)VectorDD.Place(pose, center) + ray.At(WayBack * radius);
+        var back = new WorldRay(beyond, -line.Direction, line.Length, double.PositiveInfinity);
+        CastRay(ref shape, pose, back, out RayMeeting end);
+        bool isFound = end.Status == CastStatus.Hit;
+        hit.Distance = isFound ? Math.Max(far - end.Distance, entry) : entry;
+        if (isFound) hit.Normal = end.Normal;
+        else if (entry == 0) hit.Normal = line.Direction * (1 / line.Length);
+        hit.Iterations = end.Iterations;
+        hit.Status = end.Status == CastStatus.IterationLimit ? end.Status : CastStatus.Hit;
+    }
+
+    /// <summary>A half-space is left where the half-space on its other side is entered.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void FindEnd<T>(ref T shape, in RigidPose pose, in WorldRay line, ref RayMeeting hit)
+        where T : struct, ISupportMap
+    {
+        ConvexShape outside = Uncleared.As<T, ConvexShape>(ref shape).Complement;
+        CastRay(ref outside, pose, line, out RayMeeting end);
+        bool isAtStart = end.Status == CastStatus.OverlappingAtStart;
+        hit.Status = isAtStart ? CastStatus.Miss : end.Status;
+        hit.Distance = end.Distance;
+        hit.Normal = -end.Normal;
+        hit.Iterations = end.Iterations;
+    }
+}
