@@ -20,7 +20,9 @@ internal static class BoxDepthPoints
 
     /// <summary>Length, as a fraction of the size: how far beside a face a point still counts as opposite, so that
     /// rounding leaves something of what lies along its rim. Anything well above rounding, 1e-15, and well below
-    /// float's will do.</summary>
+    /// float's will do. Where nothing is left, it is <see cref="LevelSide"/>: a way out that costs no more than another
+    /// but for rounding may end beside the face by that rounding over the angle between both. Pinned by
+    /// LevelEdgeTests.PointsLieOnBothBoxes.</summary>
     private const double Slack = 1e-12;
 
     /// <summary>Finds both points, from the boxes' centres and in their frames.</summary>
@@ -98,8 +100,8 @@ internal static class BoxDepthPoints
         if (first == default) return point;
         int u = (face + 1) % 3, v = (face + 2) % 3;
         return FaceClip.Middle(
-            point, first, second, faceCenter, faceSides.Axis(u), faceSides.Half(u) + Slack * size, faceSides.Axis(v),
-            faceSides.Half(v) + Slack * size);
+            point, first, second, faceCenter, faceSides.Axis(u), faceSides.Half(u), faceSides.Axis(v),
+            faceSides.Half(v), Slack * size, LevelSide * size);
     }
 
     /// <summary>The face that is level with the axis across two edges, so that rounding alone has preferred them to it;
@@ -170,8 +172,7 @@ internal static unsafe class FaceClip
     /// <summary>Count: four corners, and one more for each side that clips them; one to spare.</summary>
     private const int MostCorners = 9;
 
-    /// <summary>The mean of the corners of what is left. A side beyond which all of it lies, as it may by rounding,
-    /// cuts nothing off.</summary>
+    /// <summary>The mean of the corners of what is left.</summary>
     /// <param name="middle">The middle of what is clipped.</param>
     /// <param name="first">Half of its one side.</param>
     /// <param name="second">Half of its other side; 0 for a segment.</param>
@@ -180,9 +181,11 @@ internal static unsafe class FaceClip
     /// <param name="halfU">Half of its length.</param>
     /// <param name="v">The direction of its other side, perpendicular to the first.</param>
     /// <param name="halfV">Half of its length.</param>
+    /// <param name="slack">How far beside it a point still counts as opposite.</param>
+    /// <param name="more">How far where nothing else does.</param>
     public static Double3 Middle(
         in Double3 middle, in Double3 first, in Double3 second, in Double3 center, in Double3 u, double halfU,
-        in Double3 v, double halfV)
+        in Double3 v, double halfV, double slack, double more)
     {
         Double3* corners = stackalloc Double3[MostCorners], clipped = stackalloc Double3[MostCorners];
         corners[0] = middle + first + second;
@@ -190,17 +193,19 @@ internal static unsafe class FaceClip
         corners[2] = middle - first - second;
         corners[3] = middle - first + second;
         int count = 4;
-        Clip(ref corners, ref count, ref clipped, center, u, halfU);
-        Clip(ref corners, ref count, ref clipped, center, -u, halfU);
-        Clip(ref corners, ref count, ref clipped, center, v, halfV);
-        Clip(ref corners, ref count, ref clipped, center, -v, halfV);
+        double reachU = halfU + slack, reachV = halfV + slack;
+        bool isLeft = TryClip(ref corners, ref count, ref clipped, center, u, reachU)
+            && TryClip(ref corners, ref count, ref clipped, center, -u, reachU)
+            && TryClip(ref corners, ref count, ref clipped, center, v, reachV)
+            && TryClip(ref corners, ref count, ref clipped, center, -v, reachV);
+        if (!isLeft && slack < more) return Middle(middle, first, second, center, u, halfU, v, halfV, more, more);
         Double3 sum = default;
         for (int i = 0; i < count; i++) sum += corners[i];
         return sum * (1.0 / count);
     }
 
     /// <summary>Leaves what lies no further from the centre along a direction than a reach, if anything does.</summary>
-    private static void Clip(
+    private static bool TryClip(
         ref Double3* from, ref int count, ref Double3* to, in Double3 center, in Double3 direction, double reach)
     {
         int kept = 0;
@@ -213,10 +218,11 @@ internal static unsafe class FaceClip
             if (above < 0 && next > 0 || above > 0 && next < 0) to[kept++] = p + (q - p) * (above / (above - next));
         }
 
-        if (kept == 0) return;
+        if (kept == 0) return false;
         Double3* left = to;
         to = from;
         from = left;
         count = kept;
+        return true;
     }
 }
