@@ -38,7 +38,7 @@ public class WarmStartTests
         return null;
     });
 
-    /// <summary>A signed distance keeps where it ended, too: rounded hulls that stay are asked in fewer rounds.</summary>
+    /// <summary>A signed distance keeps where it ended, too: of hulls that stay it takes fewer rounds.</summary>
     [Fact]
     public void ASignedDistanceBeginsWhereItEnded()
     {

@@ -30,22 +30,7 @@ internal static class BoxDepthPoints
     {
         Double3 way = depth.Normal * depth.Above;
         int face = FaceOf(pair, depth.Normal);
-        if (face >= BoxPair.Faces)
-        {
-            onA = OnEdge(pair, depth);
-            inB = InB(pair, onA - way);
-        }
-        else if (face >= 3)
-        {
-            // Seen from B, whose face it is.
-            if (!TryCorner(pair.HalfA, depth.Normal, size, out onA))
-            {
-                onA = Opposite(default, SidesOfA(pair), pair.Between, SidesOfB(pair), face - 3, -depth.Normal, size);
-            }
-
-            inB = InB(pair, onA - way);
-        }
-        else
+        if (face < 3)
         {
             if (TryCorner(pair.HalfB, -pair.ToB(depth.Normal), size, out inB))
             {
@@ -56,7 +41,14 @@ internal static class BoxDepthPoints
             Double3 onB = Opposite(pair.Between, SidesOfB(pair), default, SidesOfA(pair), face, depth.Normal, size);
             onA = onB + way;
             inB = InB(pair, onB);
+            return;
         }
+
+        // Across a face of B it is seen from B.
+        if (face >= BoxPair.Faces) onA = OnEdge(pair, depth);
+        else if (!TryCorner(pair.HalfA, depth.Normal, size, out onA))
+            onA = Opposite(default, SidesOfA(pair), pair.Between, SidesOfB(pair), face - 3, -depth.Normal, size);
+        inB = InB(pair, onA - way);
     }
 
     /// <summary>The corner of a box that is furthest in a direction, where no side is level across it.</summary>
@@ -136,8 +128,7 @@ internal static class BoxDepthPoints
         double half = Along(pair.HalfA, i), reach = Along(pair.HalfB, j) * Math.Abs(Double3.Dot(along, alongB));
         double s = Double3.Dot(Double3.Cross(between, alongB), across) / across.LengthSquared;
         double middle = Double3.Dot(between, along);
-        double first = Math.Max(-half, middle - reach), last = Math.Min(half, middle + reach);
-        return a + along * Math.Max(first, Math.Min(last, s));
+        return a + along * Math.Max(Math.Max(-half, middle - reach), Math.Min(Math.Min(half, middle + reach), s));
     }
 
     /// <summary>The middle of a box's edge that is furthest in a direction.</summary>
@@ -147,8 +138,7 @@ internal static class BoxDepthPoints
 
     private static double Along(in Double3 half, int axis) => axis == 0 ? half.X : axis == 1 ? half.Y : half.Z;
 
-    private static Sides SidesOfA(in BoxPair pair) =>
-        new(BoxPair.Unit(0), BoxPair.Unit(1), BoxPair.Unit(2), pair.HalfA);
+    private static Sides SidesOfA(in BoxPair p) => new(BoxPair.Unit(0), BoxPair.Unit(1), BoxPair.Unit(2), p.HalfA);
 
     private static Sides SidesOfB(in BoxPair pair) => new(pair.X, pair.Y, pair.Z, pair.HalfB);
 
@@ -193,11 +183,10 @@ internal static unsafe class FaceClip
         corners[2] = middle - first - second;
         corners[3] = middle - first + second;
         int count = 4;
-        double reachU = halfU + slack, reachV = halfV + slack;
-        bool isLeft = TryClip(ref corners, ref count, ref clipped, center, u, reachU)
-            && TryClip(ref corners, ref count, ref clipped, center, -u, reachU)
-            && TryClip(ref corners, ref count, ref clipped, center, v, reachV)
-            && TryClip(ref corners, ref count, ref clipped, center, -v, reachV);
+        bool isLeft = TryClip(ref corners, ref count, ref clipped, center, u, halfU + slack)
+            && TryClip(ref corners, ref count, ref clipped, center, -u, halfU + slack)
+            && TryClip(ref corners, ref count, ref clipped, center, v, halfV + slack)
+            && TryClip(ref corners, ref count, ref clipped, center, -v, halfV + slack);
         if (!isLeft && slack < more) return Middle(middle, first, second, center, u, halfU, v, halfV, more, more);
         Double3 sum = default;
         for (int i = 0; i < count; i++) sum += corners[i];
