@@ -45,7 +45,6 @@ internal unsafe ref struct ContactPlaces
         _places = memory;
         _least = LeastPart * Math.Min(a.Width, b.Width);
         _slack = Math.Min(Slack * size, _least);
-        _reach = 0;
         Count = 0;
         a.JoinCorners(2 * _slack);
         b.JoinCorners(2 * _slack);

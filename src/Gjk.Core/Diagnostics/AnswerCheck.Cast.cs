@@ -27,8 +27,9 @@ public static partial class AnswerCheck
     /// <returns>Bounds of the fraction of the first touch, 0 and +infinity where nothing is proved. A hit is proved by
     /// a plane that the motion has not crossed before it, and by a common point; a miss by a plane that it never
     /// crosses up to the fraction that it tells. A hit that hardly closes in is open where rounding could have turned
-    /// it. Normal and depth of shapes that overlap at the start are held to what is said of a signed distance. The
-    /// number of iterations, and that their limit was reached, is not judged.</returns>
+    /// it. Normal and depth of shapes that overlap at the start are held to what is said of a signed distance; a
+    /// depth is open where a shorter way out is proved, since the search may have had no room. The number of
+    /// iterations, and that their limit was reached, is not judged.</returns>
     public static CheckedAnswer Cast<TA, TB>(
         in TA a, in RigidPose poseA, Vector3 translationA, in TB b, in RigidPose poseB, Vector3 translationB,
         in CastResult answer)
@@ -111,6 +112,7 @@ public static partial class AnswerCheck
             var depth = new DistanceResult(
                 GjkStatus.Overlapping, -answer.Depth, float.NegativeInfinity, default, default, answer.Normal, default,
                 default, 0);
+            claims.MayBeLess = true;
             WitnessWalk walk = AddNumbers(ref claims, ref a, ref b, pair, depth, double.NaN, true);
             return new CheckedAnswer(default, 0, walk.Upper <= touch ? 0 : double.PositiveInfinity);
         }

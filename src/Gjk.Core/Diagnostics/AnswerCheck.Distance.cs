@@ -96,7 +96,11 @@ public static partial class AnswerCheck
         if (isDepth) walk.Lower = Math.Max(walk.Lower, Leaving(ref a, ref b, pair, answer, allowed));
         claims.IsAtMost = isDepth && walk.Upper > most;
         claims.Add(IsOfStatus(answer, isSigned));
-        claims.Add(walk.IsWithin(least, isDepth ? Math.Max(most, Touch(pair)) : most), walk.IsBeyond(least, most));
+        bool isWithin = walk.IsWithin(least, isDepth ? Math.Max(most, Touch(pair)) : most);
+        bool isLess = walk.Lower > most;
+        bool isOther = claims.MayBeLess && walk.Lower <= Touch(pair);
+        double way = isOther ? walk.HintGap - pair.Noise : walk.Lower;
+        claims.Add(isWithin && !isLess, isLess && !(way <= most) || walk.Upper < least);
 
         // Of shapes that are said to be apart 0 says nothing more.
         double upper = isSigned && !isSeparated ? walk.Upper : Math.Max(walk.Upper, 0);

@@ -8,6 +8,10 @@ internal struct AnswerClaims
     /// <summary>Whether a depth among them is only proved not to be larger.</summary>
     public bool IsAtMost;
 
+    /// <summary>Whether a depth among them may be more than the true one: a cast does not say whether its search had
+    /// room.</summary>
+    public bool MayBeLess;
+
     /// <summary>All of them together.</summary>
     public readonly CheckStatus Status => _isRefuted ? CheckStatus.Refuted : _isOpen ? CheckStatus.Open
         : IsAtMost ? CheckStatus.ProvedAtMost : CheckStatus.Proved;

@@ -139,6 +139,30 @@ public class AnswerRefusalTests
         }
     }
 
+    /// <summary>Ellipsoids about one centre, whose depth no search has room for: the way out that a cast tells may be
+    /// longer than the shortest one, but it is one.</summary>
+    [Fact]
+    public void ALongWayOutOfACastIsOpen()
+    {
+        const string Record =
+            "gjk1 ellipsoid 0.47234414649251377 0.48060341513779292 0.42983013518446356 @ "
+            + "-0.611402869 -0.0414017811 0.60775739 -0.504498065 -6.51561831E-17 4.23109152E-14 "
+            + "-8.88706884E-15 ellipsoid 0.47234414649251377 0.48060341513779292 0.42983013518446356 @ "
+            + "-0.789292037 0.400591105 0.459159195 0.0756152347 1.58527584E-07 -1.86792442E-06 "
+            + "1.4060771E-06 ~ -0.264140904 0.0932587534 -0.565978348 0 0 0";
+        QueryRecord p = QueryRecord.Parse(Record);
+        CastResult r = p.Cast();
+        DistanceResult s = ConvexQuery.SignedDistance(p.A, p.PoseA, p.B, p.PoseB);
+        Assert.Equal((CastStatus.OverlappingAtStart, GjkStatus.IterationLimit), (r.Status, s.Status));
+        Assert.Equal(CheckStatus.Open, Check(r));
+        Assert.Equal(CheckStatus.Refuted, Check(Deep(1.001f * r.Depth)));
+        Assert.Equal(CheckStatus.Refuted, Check(Deep(0.999f * r.Depth)));
+
+        CastResult Deep(float depth) => new(r.Status, 0, r.Point, r.Normal, 1, depth);
+        CheckStatus Check(CastResult told) =>
+            AnswerCheck.Cast(p.A, p.PoseA, p.MotionA.Velocity, p.B, p.PoseB, p.MotionB.Velocity, told).Status;
+    }
+
     [Fact]
     public void AWrongMissIsRefuted()
     {

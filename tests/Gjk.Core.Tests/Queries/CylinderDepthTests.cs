@@ -18,11 +18,17 @@ public class CylinderDepthTests
     private const string Across =
         "gjk1 cylinder 2 9 0 @ 0.5 0.5 0.5 0.5 0 0 0 cone 0.1 0.05 0 @ 0.1 0.2 0.3 0.9273618495 0.9 0.4 0.7";
 
+    private const string Turned =
+        "gjk1 cylinder 1.6757532358169556 3.2785525321960449 0 @ 0.498648852 -0.755179465 -0.425159633 0.0171024241 0 "
+        + "0 0 cylinder 0.047790911048650742 0.14144520461559296 0 @ 0.684264123 -0.175895944 -0.18102999 -0.684157491 "
+        + "-0.157083228 0.0623832643 -0.0528160818";
+
     /// <summary>Few supports tell it, where the general search takes dozens.</summary>
     [Theory]
     [InlineData(Beside, 16)]
     [InlineData(Cone, 16)]
     [InlineData(Across, 40)]
+    [InlineData(Turned, 48)]
     public void FewSupportsTellIt(string record, int most)
     {
         QueryRecord pair = QueryRecord.Parse(record);

@@ -38,6 +38,19 @@ public class WarmStartTests
         return null;
     });
 
+    /// <summary>A signed distance keeps where it ended, too: of hulls that stay it takes fewer rounds.</summary>
+    [Fact]
+    public void ASignedDistanceBeginsWhereItEnded()
+    {
+        ConvexShape hull = ConvexShape.Mesh(Generators.Cloud(new Rng(1), 200, Vector3.One)).Rounded(0.1f);
+        var pose = new RigidPose(new(0.1f, 0.7f, -0.3f, 0.6403124f), new Vector3(1.5f, -2.1f, 1.3f));
+        WarmStart warm = default;
+        DistanceResult first = ConvexQuery.SignedDistance(hull, RigidPose.Identity, hull, pose, ref warm);
+        DistanceResult next = ConvexQuery.SignedDistance(hull, RigidPose.Identity, hull, pose, ref warm);
+        Assert.Equal((GjkStatus.Separated, first.Distance), (first.Status, next.Distance));
+        Assert.True(next.Iterations < first.Iterations, $"{next.Iterations} after {first.Iterations}");
+    }
+
     /// <summary>A plane beyond the asked distance can end the query before it has one vertex to remember.</summary>
     [Fact]
     public void AQueryThatEndedAtItsFirstPlaneLeavesAGoodWarmStart() => Each(94_000, (pair, rng) =>

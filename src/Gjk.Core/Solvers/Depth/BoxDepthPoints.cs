@@ -20,7 +20,9 @@ internal static class BoxDepthPoints
 
     /// <summary>Length, as a fraction of the size: how far beside a face a point still counts as opposite, so that
     /// rounding leaves something of what lies along its rim. Anything well above rounding, 1e-15, and well below
-    /// float's will do.</summary>
+    /// float's will do. Where nothing is left, it is <see cref="LevelSide"/>: a way out that costs no more than another
+    /// but for rounding may end beside the face by that rounding over the angle between both. Pinned by
+    /// LevelEdgeTests.PointsLieOnBothBoxes.</summary>
     private const double Slack = 1e-12;
 
     /// <summary>Finds both points, from the boxes' centres and in their frames.</summary>
@@ -28,22 +30,7 @@ internal static class BoxDepthPoints
     {
         Double3 way = depth.Normal * depth.Above;
         int face = FaceOf(pair, depth.Normal);
-        if (face >= BoxPair.Faces)
-        {
-            onA = OnEdge(pair, depth);
-            inB = InB(pair, onA - way);
-        }
-        else if (face >= 3)
-        {
-            // Seen from B, whose face it is.
-            if (!TryCorner(pair.HalfA, depth.Normal, size, out onA))
-            {
-                onA = Opposite(default, SidesOfA(pair), pair.Between, SidesOfB(pair), face - 3, -depth.Normal, size);
-            }
-
-            inB = InB(pair, onA - way);
-        }
-        else
+        if (face < 3)
         {
             if (TryCorner(pair.HalfB, -pair.ToB(depth.Normal), size, out inB))
             {
@@ -54,7 +41,14 @@ internal static class BoxDepthPoints
             Double3 onB = Opposite(pair.Between, SidesOfB(pair), default, SidesOfA(pair), face, depth.Normal, size);
             onA = onB + way;
             inB = InB(pair, onB);
+            return;
         }
+
+        // Across a face of B it is seen from B.
+        if (face >= BoxPair.Faces) onA = OnEdge(pair, depth);
+        else if (!TryCorner(pair.HalfA, depth.Normal, size, out onA))
+            onA = Opposite(default, SidesOfA(pair), pair.Between, SidesOfB(pair), face - 3, -depth.Normal, size);
+        inB = InB(pair, onA - way);
     }
 
     /// <summary>The corner of a box that is furthest in a direction, where no side is level across it.</summary>
@@ -98,8 +92,8 @@ internal static class BoxDepthPoints
         if (first == default) return point;
         int u = (face + 1) % 3, v = (face + 2) % 3;
         return FaceClip.Middle(
-            point, first, second, faceCenter, faceSides.Axis(u), faceSides.Half(u) + Slack * size, faceSides.Axis(v),
-            faceSides.Half(v) + Slack * size);
+            point, first, second, faceCenter, faceSides.Axis(u), faceSides.Half(u), faceSides.Axis(v),
+            faceSides.Half(v), Slack * size, LevelSide * size);
     }
 
     /// <summary>The face that is level with the axis across two edges, so that rounding alone has preferred them to it;
@@ -134,8 +128,7 @@ internal static class BoxDepthPoints
         double half = Along(pair.HalfA, i), reach = Along(pair.HalfB, j) * Math.Abs(Double3.Dot(along, alongB));
         double s = Double3.Dot(Double3.Cross(between, alongB), across) / across.LengthSquared;
         double middle = Double3.Dot(between, along);
-        double first = Math.Max(-half, middle - reach), last = Math.Min(half, middle + reach);
-        return a + along * Math.Max(first, Math.Min(last, s));
+        return a + along * Math.Max(Math.Max(-half, middle - reach), Math.Min(Math.Min(half, middle + reach), s));
     }
 
     /// <summary>The middle of a box's edge that is furthest in a direction.</summary>
@@ -145,8 +138,7 @@ internal static class BoxDepthPoints
 
     private static double Along(in Double3 half, int axis) => axis == 0 ? half.X : axis == 1 ? half.Y : half.Z;
 
-    private static Sides SidesOfA(in BoxPair pair) =>
-        new(BoxPair.Unit(0), BoxPair.Unit(1), BoxPair.Unit(2), pair.HalfA);
+    private static Sides SidesOfA(in BoxPair p) => new(BoxPair.Unit(0), BoxPair.Unit(1), BoxPair.Unit(2), p.HalfA);
 
     private static Sides SidesOfB(in BoxPair pair) => new(pair.X, pair.Y, pair.Z, pair.HalfB);
 
@@ -170,8 +162,7 @@ internal static unsafe class FaceClip
     /// <summary>Count: four corners, and one more for each side that clips them; one to spare.</summary>
     private const int MostCorners = 9;
 
-    /// <summary>The mean of the corners of what is left. A side beyond which all of it lies, as it may by rounding,
-    /// cuts nothing off.</summary>
+    /// <summary>The mean of the corners of what is left.</summary>
     /// <param name="middle">The middle of what is clipped.</param>
     /// <param name="first">Half of its one side.</param>
     /// <param name="second">Half of its other side; 0 for a segment.</param>
@@ -180,9 +171,11 @@ internal static unsafe class FaceClip
     /// <param name="halfU">Half of its length.</param>
     /// <param name="v">The direction of its other side, perpendicular to the first.</param>
     /// <param name="halfV">Half of its length.</param>
+    /// <param name="slack">How far beside it a point still counts as opposite.</param>
+    /// <param name="more">How far where nothing else does.</param>
     public static Double3 Middle(
         in Double3 middle, in Double3 first, in Double3 second, in Double3 center, in Double3 u, double halfU,
-        in Double3 v, double halfV)
+        in Double3 v, double halfV, double slack, double more)
     {
         Double3* corners = stackalloc Double3[MostCorners], clipped = stackalloc Double3[MostCorners];
         corners[0] = middle + first + second;
@@ -190,17 +183,18 @@ internal static unsafe class FaceClip
         corners[2] = middle - first - second;
         corners[3] = middle - first + second;
         int count = 4;
-        Clip(ref corners, ref count, ref clipped, center, u, halfU);
-        Clip(ref corners, ref count, ref clipped, center, -u, halfU);
-        Clip(ref corners, ref count, ref clipped, center, v, halfV);
-        Clip(ref corners, ref count, ref clipped, center, -v, halfV);
+        bool isLeft = TryClip(ref corners, ref count, ref clipped, center, u, halfU + slack)
+            && TryClip(ref corners, ref count, ref clipped, center, -u, halfU + slack)
+            && TryClip(ref corners, ref count, ref clipped, center, v, halfV + slack)
+            && TryClip(ref corners, ref count, ref clipped, center, -v, halfV + slack);
+        if (!isLeft && slack < more) return Middle(middle, first, second, center, u, halfU, v, halfV, more, more);
         Double3 sum = default;
         for (int i = 0; i < count; i++) sum += corners[i];
         return sum * (1.0 / count);
     }
 
     /// <summary>Leaves what lies no further from the centre along a direction than a reach, if anything does.</summary>
-    private static void Clip(
+    private static bool TryClip(
         ref Double3* from, ref int count, ref Double3* to, in Double3 center, in Double3 direction, double reach)
     {
         int kept = 0;
@@ -213,10 +207,11 @@ internal static unsafe class FaceClip
             if (above < 0 && next > 0 || above > 0 && next < 0) to[kept++] = p + (q - p) * (above / (above - next));
         }
 
-        if (kept == 0) return;
+        if (kept == 0) return false;
         Double3* left = to;
         to = from;
         from = left;
         count = kept;
+        return true;
     }
 }
