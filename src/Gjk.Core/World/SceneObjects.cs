@@ -118,8 +118,10 @@ internal sealed class SceneObjects
     /// <summary>Where two convex objects touch.</summary>
     public PairContacts ContactsOf(ObjectPair pair, float maxGap)
     {
+        // Cleared, for equality: a query writes the points that there are.
+        ContactManifold manifold = default;
         DistanceResult depth = ConvexQuery.Contacts(
-            Shapes[pair.A], Poses[pair.A], Shapes[pair.B], Poses[pair.B], maxGap, out ContactManifold manifold);
+            Shapes[pair.A], Poses[pair.A], Shapes[pair.B], Poses[pair.B], maxGap, out manifold);
         return new PairContacts(PartSide.NoPart, PartSide.NoPart, depth, manifold, IdsOf(pair));
     }
 

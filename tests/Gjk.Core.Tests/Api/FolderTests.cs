@@ -77,7 +77,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Concave/Trees"] = 625,
         ["Contacts"] = 966,
         ["Cores"] = 571,
-        ["Diagnostics"] = 686,
+        ["Diagnostics"] = 689,
         ["Geometry"] = 608,
         ["Hulls"] = 225,
         ["Hulls/Building"] = 831,
