@@ -169,9 +169,10 @@ internal static class CoveredSides
         ConcaveScratch scratch, in AnyShape shape, int but, in Double3 point, in Double3 direction)
     {
         ConcaveScratch near = scratch.Rent();
+        double size = shape.Mesh is not null ? shape.Mesh.Tree.Radius : shape.Compound!.Tree.Radius;
         ConcaveQuery.FindPairsWithin(
             shape, RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
-            (float)(2 * Room * (1 + point.Length)), near, near.Pairs);
+            (float)(2 * Room * (size + point.Length)), near, near.Pairs);
         bool goesOn = false;
         ConvexShape room = default;
         for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
