@@ -6,7 +6,8 @@ internal sealed class SceneSeams(SceneObjects objects)
 {
     private ulong[] _keys = new ulong[16];
     private bool[] _isCovered = new bool[16];
-    private readonly List<int> _grounds = [];
+    private readonly List<Ground> _grounds = [];
+    private readonly List<int> _near = [];
     private readonly List<OpenPlane> _planes = [];
     private readonly List<(int At, PairContacts Straight)> _straight = [];
 
@@ -61,7 +62,8 @@ internal sealed class SceneSeams(SceneObjects objects)
         for (int i = begin; i < end; i++)
         {
             int ground = new BodyContact(objects, contacts[(int)(uint)_keys[i]], body).Ground;
-            if (_grounds.Count == 0 || _grounds[_grounds.Count - 1] != ground) _grounds.Add(ground);
+            if (_grounds.Count == 0 || _grounds[_grounds.Count - 1].Slot != ground)
+                _grounds.Add(new Ground(objects, ground));
         }
     }
 
@@ -74,7 +76,8 @@ internal sealed class SceneSeams(SceneObjects objects)
         {
             BodyContact one = At(contacts, i);
             int at = (int)(uint)_keys[i];
-            for (int k = 0; k < _grounds.Count && !_isCovered[at]; k++) _isCovered[at] = one.GoesOnIn(_grounds[k]);
+            FindNear(one);
+            _isCovered[at] = one.GoesOnIn(_near);
             if (!_isCovered[at]) one.AddPlane(_planes);
         }
 
@@ -83,7 +86,7 @@ internal sealed class SceneSeams(SceneObjects objects)
         {
             BodyContact one = At(contacts, i);
             ref bool isCovered = ref _isCovered[(int)(uint)_keys[i]];
-            isCovered = isCovered ? !one.StandsOn(_planes) : IsBuried(one);
+            isCovered = isCovered ? !one.StandsOn(_planes) : one.IsAside || IsBuried(one);
             isAny |= isCovered;
         }
 
@@ -93,11 +96,9 @@ internal sealed class SceneSeams(SceneObjects objects)
         {
             BodyContact one = At(contacts, i);
             int at = (int)(uint)_keys[i];
-            if (_isCovered[at] && one.Overlaps && !IsHeld(contacts, begin, end, one)
-                && one.TryStraighten(_grounds, maxGap, out PairContacts straight))
-            {
-                _straight.Add((at, straight));
-            }
+            if (!_isCovered[at] || !one.Overlaps || IsHeld(contacts, begin, end, one)) continue;
+            FindNear(one);
+            if (one.TryStraighten(_near, maxGap, out PairContacts straight)) _straight.Add((at, straight));
         }
 
         foreach ((int at, PairContacts straight) in _straight) (contacts[at], _isCovered[at]) = (straight, false);
@@ -113,9 +114,20 @@ internal sealed class SceneSeams(SceneObjects objects)
 
     private bool IsBuried(in BodyContact one)
     {
-        foreach (int ground in _grounds)
-            if (one.IsBuried(ground, _planes)) return true;
-        return false;
+        FindNear(one);
+        return _near.Count > 0 && one.IsBuried(_near, _planes);
+    }
+
+    /// <summary>Finds the other grounds that may hold a point of a contact, or one lifted to a plane.</summary>
+    private void FindNear(in BodyContact one)
+    {
+        _near.Clear();
+        one.Bound(out PartBox box, out double place);
+        double lift = 0;
+        foreach (OpenPlane plane in _planes)
+            lift = Math.Max(lift, plane.Depth + 2 * CoveredSides.Room * plane.Foot.SumOfMagnitudes);
+        foreach (Ground ground in _grounds)
+            if (ground.Slot != one.Ground && ground.IsNear(box, place, lift)) _near.Add(ground.Slot);
     }
 
     private BodyContact At(List<PairContacts> contacts, int key) =>
@@ -156,9 +168,22 @@ internal sealed class SceneSeams(SceneObjects objects)
         public void AddPlane(List<OpenPlane> planes) =>
             CoveredSides.AddPlane(planes, _contact.Manifold, !_isBodyA, _objects.Poses[Ground]);
 
-        /// <summary>Whether another static object goes on where this contact is.</summary>
-        public bool GoesOnIn(int ground) =>
-            ground != Ground && new GroundCover(_objects, ground).GoesOn(Witness, Outward);
+        /// <summary>The box of its points on the static object, and the magnitudes of where they are.</summary>
+        public void Bound(out PartBox box, out double place)
+        {
+            box = new PartBox(Witness, Witness);
+            for (int i = 0; i < _contact.Manifold.Count; i++)
+            {
+                Double3 foot = CoveredSides.FootOf(_contact.Manifold[i], !_isBodyA, _objects.Poses[Ground]);
+                box.Add(new PartBox(foot, foot));
+            }
+
+            place = box.Min.SumOfMagnitudes + box.Max.SumOfMagnitudes
+                + ((Double3)_objects.Poses[Ground].Position).SumOfMagnitudes;
+        }
+
+        /// <summary>Whether one of the other static objects goes on where this contact is.</summary>
+        public bool GoesOnIn(List<int> others) => new GroundCover(_objects, others).GoesOn(Witness, Outward);
 
         /// <summary>Whether its part is there beyond the plane of another contact.</summary>
         public bool StandsOn(List<OpenPlane> planes)
@@ -167,26 +192,41 @@ internal sealed class SceneSeams(SceneObjects objects)
             return CoveredSides.StandsOn(Witness, Outward, GroundPart(ref room), _objects.Poses[Ground], planes);
         }
 
-        /// <summary>Whether it is at a side that another static object covers.</summary>
-        public bool IsBuried(int ground, List<OpenPlane> planes)
+        /// <summary>Whether it is at a side that other static objects cover.</summary>
+        public bool IsBuried(List<int> others, List<OpenPlane> planes)
         {
             ConvexShape room = default;
-            return ground != Ground && CoveredSides.IsBuried(
+            return CoveredSides.IsBuried(
                 _contact.Manifold, !_isBodyA, GroundPart(ref room), _objects.Poses[Ground], planes,
-                new GroundCover(_objects, ground));
+                new GroundCover(_objects, others));
+        }
+
+        /// <summary>Whether it is along a face that the static object, as it is convex, meets elsewhere: as a part of a
+        /// compound it would not have it.</summary>
+        public bool IsAside
+        {
+            get
+            {
+                if (!Overlaps || !_objects.Parts.Has(Body) || _objects.Parts.Has(Ground)) return false;
+                ConvexShape groundRoom = default, bodyRoom = default;
+                ManifoldPoint tip = CoveredSides.Tip(
+                    GroundPart(ref groundRoom), _objects.Poses[Ground], BodyPart(ref bodyRoom), _objects.Poses[Body],
+                    Outward);
+                return !FaceSearch.IsAsDeep(_contact.Manifold, tip.Gap);
+            }
         }
 
         private Double3 Witness => CoveredSides.InWorld(
             _isBodyA ? _contact.Result.LocalPointB : _contact.Result.LocalPointA, _objects.Poses[Ground]);
 
         /// <summary>The contact along the way that all of the static objects show together.</summary>
-        public bool TryStraighten(List<int> grounds, float maxGap, out PairContacts straight)
+        public bool TryStraighten(List<int> others, float maxGap, out PairContacts straight)
         {
             ConvexShape groundRoom = default, bodyRoom = default;
             ref readonly ConvexShape ground = ref GroundPart(ref groundRoom);
             ref readonly ConvexShape body = ref BodyPart(ref bodyRoom);
             RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
-            Double3 way = CoveredSides.WayFrom(Witness, Outward, new GroundCover(_objects, Ground, grounds));
+            Double3 way = CoveredSides.WayFrom(Witness, Outward, new GroundCover(_objects, others));
             straight = _contact;
             return _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
                 ? CoveredSides.TryAlong(ref straight, false, body, bodyPose, ground, pose, maxGap, way)
@@ -210,23 +250,46 @@ internal sealed class SceneSeams(SceneObjects objects)
             ref _objects.Parts.Part(Body, _isBodyA ? _contact.PartA : _contact.PartB, ref room);
     }
 
-    /// <summary>A static object, and for the way to a point those that are there beside it.</summary>
-    private readonly struct GroundCover(SceneObjects objects, int ground, List<int>? grounds = null) : ICover
+    /// <summary>A static object that a body touches, and what is around it.</summary>
+    private readonly struct Ground(SceneObjects objects, int slot)
+    {
+        private readonly Aabb _box = objects.Bounds[slot].BoxAt(objects.Poses[slot]);
+        private readonly double _place = ((Double3)objects.Poses[slot].Position).SumOfMagnitudes;
+
+        public int Slot => slot;
+
+        /// <summary>Whether it may hold a point that is no further from a box, whose magnitudes are given.</summary>
+        public bool IsNear(in PartBox box, double place, double lift)
+        {
+            Double3 below = box.Min - _box.Max, above = (Double3)_box.Min - box.Max;
+            double size = below.SumOfMagnitudes + above.SumOfMagnitudes + _place + place;
+            double room = lift + 2 * CoveredSides.Room * size;
+            return Math.Max(Math.Max(below.X, above.X), Math.Max(below.Y, above.Y)) <= room
+                && Math.Max(below.Z, above.Z) <= room;
+        }
+    }
+
+    /// <summary>Static objects beside the one that a contact is with, as far as they are near.</summary>
+    private readonly struct GroundCover(SceneObjects objects, List<int> others) : ICover
     {
         public bool GoesOn(in Double3 point, in Double3 direction)
         {
-            RotationD turn = new(objects.Poses[ground].Rotation);
-            Double3 local = turn.InverseRotate(point - objects.Poses[ground].Position);
-            return objects.Parts.GoesOn(ground, local, turn.InverseRotate(direction));
+            foreach (int other in others)
+            {
+                RotationD turn = new(objects.Poses[other].Rotation);
+                Double3 local = turn.InverseRotate(point - objects.Poses[other].Position);
+                if (objects.Parts.GoesOn(other, local, turn.InverseRotate(direction))) return true;
+            }
+
+            return false;
         }
 
         public Double3 WayTo(in Double3 point)
         {
             var pose = new RigidPose((Vector3)point);
             DistanceResult least = default;
-            foreach (int other in grounds!)
+            foreach (int other in others)
             {
-                if (other == ground) continue;
                 DistanceResult found = objects.Parts.Distance(
                     ConvexShape.Point(), pose, other, float.PositiveInfinity).Result;
                 if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
