@@ -6,9 +6,11 @@ internal sealed class SceneSeams(SceneObjects objects)
 {
     private ulong[] _keys = new ulong[16];
     private bool[] _isCovered = new bool[16];
-    private readonly List<Ground> _grounds = [];
+    private readonly List<Ground> _grounds = [], _around = [];
     private readonly List<int> _near = [];
     private readonly List<OpenPlane> _planes = [];
+    private int _center, _planeCount;
+    private double _lift;
     private readonly List<(int At, PairContacts Straight)> _straight = [];
 
     /// <summary>Takes the contacts at such seams out of a scene's.</summary>
@@ -72,32 +74,39 @@ internal sealed class SceneSeams(SceneObjects objects)
     private bool Cover(List<PairContacts> contacts, int begin, int end, float maxGap)
     {
         _planes.Clear();
+        BeginNear();
         for (int i = begin; i < end; i++)
         {
             BodyContact one = At(contacts, i);
             int at = (int)(uint)_keys[i];
-            FindNear(one);
+            FindNear(contacts, i, end, one);
             _isCovered[at] = one.GoesOnIn(_near);
             if (!_isCovered[at]) one.AddPlane(_planes);
         }
 
         bool isAny = false;
+        BeginNear();
         for (int i = begin; i < end; i++)
         {
             BodyContact one = At(contacts, i);
             ref bool isCovered = ref _isCovered[(int)(uint)_keys[i]];
-            isCovered = isCovered ? !one.StandsOn(_planes) : one.IsAside || IsBuried(one);
+            bool isAcross = !isCovered && one.IsAnyAcross(_planes);
+            if (isAcross) FindNear(contacts, i, end, one);
+            isCovered = isCovered
+                ? !one.StandsOn(_planes)
+                : one.IsAside || (isAcross && one.IsBuried(_near, _planes));
             isAny |= isCovered;
         }
 
         if (!isAny) return false;
         _straight.Clear();
+        BeginNear();
         for (int i = begin; i < end; i++)
         {
             BodyContact one = At(contacts, i);
             int at = (int)(uint)_keys[i];
             if (!_isCovered[at] || !one.Overlaps || IsHeld(contacts, begin, end, one)) continue;
-            FindNear(one);
+            FindNear(contacts, i, end, one);
             if (one.TryStraighten(_near, maxGap, out PairContacts straight)) _straight.Add((at, straight));
         }
 
@@ -112,22 +121,41 @@ internal sealed class SceneSeams(SceneObjects objects)
         return true;
     }
 
-    private bool IsBuried(in BodyContact one)
+    /// <summary>Before a walk over the contacts of a body, with the planes that there are.</summary>
+    private void BeginNear()
     {
-        FindNear(one);
-        return _near.Count > 0 && one.IsBuried(_near, _planes);
+        (_center, _planeCount, _lift) = (-1, _planes.Count, 0);
+        foreach (OpenPlane plane in _planes)
+            _lift = Math.Max(_lift, plane.Depth + 2 * CoveredSides.Room * plane.Foot.SumOfMagnitudes);
     }
 
-    /// <summary>Finds the other grounds that may hold a point of a contact, or one lifted to a plane.</summary>
-    private void FindNear(in BodyContact one)
+    /// <summary>Finds the other grounds that may hold a point of a contact, or one lifted to a plane: of those around
+    /// the contacts that follow with the same ground.</summary>
+    private void FindNear(List<PairContacts> contacts, int at, int end, in BodyContact one)
     {
+        one.Bound(_planeCount, out PartBox box, out double place);
+        if (_center != one.Ground)
+        {
+            _center = one.Ground;
+            PartBox all = box;
+            double most = place;
+            for (int i = at + 1; i < end; i++)
+            {
+                BodyContact other = At(contacts, i);
+                if (other.Ground != _center) break;
+                other.Bound(_planeCount, out PartBox next, out double nextPlace);
+                all.Add(next);
+                most = Math.Max(most, nextPlace);
+            }
+
+            _around.Clear();
+            foreach (Ground ground in _grounds)
+                if (ground.Slot != _center && ground.IsNear(all, most, _lift)) _around.Add(ground);
+        }
+
         _near.Clear();
-        one.Bound(out PartBox box, out double place);
-        double lift = 0;
-        foreach (OpenPlane plane in _planes)
-            lift = Math.Max(lift, plane.Depth + 2 * CoveredSides.Room * plane.Foot.SumOfMagnitudes);
-        foreach (Ground ground in _grounds)
-            if (ground.Slot != one.Ground && ground.IsNear(box, place, lift)) _near.Add(ground.Slot);
+        foreach (Ground ground in _around)
+            if (ground.IsNear(box, place, _lift)) _near.Add(ground.Slot);
     }
 
     private BodyContact At(List<PairContacts> contacts, int key) =>
@@ -168,14 +196,15 @@ internal sealed class SceneSeams(SceneObjects objects)
         public void AddPlane(List<OpenPlane> planes) =>
             CoveredSides.AddPlane(planes, _contact.Manifold, !_isBodyA, _objects.Poses[Ground]);
 
-        /// <summary>The box of its points on the static object, and the magnitudes of where they are.</summary>
-        public void Bound(out PartBox box, out double place)
+        /// <summary>The box of its points on the static object, and the magnitudes of where they are; only of its
+        /// witness where there are no planes to be lifted to.</summary>
+        public void Bound(int planes, out PartBox box, out double place)
         {
             box = new PartBox(Witness, Witness);
-            for (int i = 0; i < _contact.Manifold.Count; i++)
+            for (int i = 0; planes > 0 && i < _contact.Manifold.Count; i++)
             {
                 Double3 foot = CoveredSides.FootOf(_contact.Manifold[i], !_isBodyA, _objects.Poses[Ground]);
-                box.Add(new PartBox(foot, foot));
+                box.Add(foot);
             }
 
             place = box.Min.SumOfMagnitudes + box.Max.SumOfMagnitudes
@@ -191,6 +220,9 @@ internal sealed class SceneSeams(SceneObjects objects)
             ConvexShape room = default;
             return CoveredSides.StandsOn(Witness, Outward, GroundPart(ref room), _objects.Poses[Ground], planes);
         }
+
+        /// <summary>Whether the plane of another contact is across it.</summary>
+        public bool IsAnyAcross(List<OpenPlane> planes) => CoveredSides.IsAnyAcross(planes, Outward);
 
         /// <summary>Whether it is at a side that other static objects cover.</summary>
         public bool IsBuried(List<int> others, List<OpenPlane> planes)

@@ -69,7 +69,7 @@ public class ScaledContactTests
             found += _contacts.Count;
         }
 
-        Assert.InRange(found, 200, 20000);
+        Assert.InRange(found, 100, 20000);
     }
 
     private static AnyShape Body(int kind, float factor) => kind switch
