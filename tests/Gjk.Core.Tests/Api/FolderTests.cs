@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 89,
         ["Threading"] = 175,
         ["Wide"] = 940,
-        ["World"] = 1135,
+        ["World"] = 1187,
     };
 
     [Fact]
