@@ -18,16 +18,13 @@ internal static class ContactPush
     /// More pushes aslant what is pushed straight already.</summary>
     private const float Alike = 0.5f;
 
-    /// <summary>Ratios: a push goes so much further than the contact is deep, and by this of 1 and the place, so that
-    /// what was as deep is apart and not just touching. More takes shallow neighbours for held ones.</summary>
+    /// <summary>Ratios: a push goes so much further than the contact is deep, and by this of the place, so that what
+    /// was as deep is apart and not just touching. More takes shallow neighbours for held ones.</summary>
     private const float Further = 1.01f, Room = 8 * (float)ContactCone.Slack;
 
     /// <summary>How far a contact pushes.</summary>
-    public static float LengthOf(in DistanceResult result)
-    {
-        Vector3 at = Vector3.Abs(result.PointA);
-        return Further * Math.Max(-result.Distance, 0) + Room * (1 + at.X + at.Y + at.Z);
-    }
+    public static float LengthOf(in DistanceResult result) =>
+        Further * Math.Max(-result.Distance, 0) + Room * (float)DeepestPoint.PlaceOf(result);
 
     /// <summary>Adds the contacts of faces that are needed beside those that are there, and then of the pairs that no
     /// contact takes apart what holds them.</summary>
@@ -91,7 +88,7 @@ internal static class ContactPush
     /// <summary>Adds the push of a contact, unless one of its direction is as deep.</summary>
     private static void Collect(in PairContacts contact, List<PairContacts> pushes)
     {
-        if (!(contact.Result.Distance <= ContactCone.Slack)) return;
+        if (!(contact.Result.Distance <= ContactCone.Slack * DeepestPoint.PlaceOf(contact.Result))) return;
         int nearest = -1;
         float cosine = -2;
         for (int i = 0; i < pushes.Count; i++)
@@ -204,7 +201,7 @@ internal static class ContactPush
     {
         // They come out by no less than their own way is pushed, and by no more than all of the push.
         if (own + Vector3.Dot(by, ownNormal) > MuchLess * own) return true;
-        if (own + by.Length() < MuchLess * own) return false;
+        if (own + ((Double3)by).Length < MuchLess * own) return false;
         var moved = new RigidPose(poseB.Rotation, poseB.Position + by);
         float left = ConvexQuery.SignedDistance(a, poseA, b, moved).Distance;
         return left >= 0 || left > MuchLess * own;

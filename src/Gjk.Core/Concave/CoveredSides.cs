@@ -25,6 +25,9 @@ internal static class CoveredSides
     /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact.</summary>
     private const int MostPlanes = 32;
 
+    /// <summary>Count: of so many parts each is asked, of more the tree. Others change the time only.</summary>
+    private const int FewParts = 16;
+
     /// <summary>A point of a contact on one of the two bodies, in the world.</summary>
     public static Double3 FootOf(in ManifoldPoint point, bool isA, in RigidPose pose) =>
         InWorld(isA ? point.LocalPointA : point.LocalPointB, pose);
@@ -169,15 +172,28 @@ internal static class CoveredSides
         ConcaveScratch scratch, in AnyShape shape, int but, in Double3 point, in Double3 direction)
     {
         ConcaveScratch near = scratch.Rent();
-        ConcaveQuery.FindPairsWithin(
-            shape, RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
-            (float)(2 * Room * (1 + point.Length)), near, near.Pairs);
         bool goesOn = false;
         ConvexShape room = default;
-        for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
+        if (shape.PartCount <= FewParts)
         {
-            int part = near.Pairs[i].PartA;
-            goesOn = part != but && GoesOn(near.A.Part(part, ref room), point, direction);
+            near.A.TrySet(shape, RigidPose.Identity);
+            for (int part = 0; part < shape.PartCount && !goesOn; part++)
+            {
+                goesOn = part != but && !IsClear(near.A, part, point)
+                    && GoesOn(near.A.Part(part, ref room), point, direction);
+            }
+        }
+        else
+        {
+            double size = shape.Mesh is not null ? shape.Mesh.Tree.Radius : shape.Compound!.Tree.Radius;
+            ConcaveQuery.FindPairsWithin(
+                shape, RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
+                (float)(2 * Room * (size + point.Length)), near, near.Pairs);
+            for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
+            {
+                int part = near.Pairs[i].PartA;
+                goesOn = part != but && GoesOn(near.A.Part(part, ref room), point, direction);
+            }
         }
 
         scratch.Return(near);

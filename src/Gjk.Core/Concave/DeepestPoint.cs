@@ -11,6 +11,12 @@ internal static class DeepestPoint
         return deepest;
     }
 
+    /// <summary>The magnitudes of where a contact is, in the world and in both frames: roundings are ratios to
+    /// it.</summary>
+    public static double PlaceOf(in DistanceResult at) =>
+        ((Double3)at.PointA).SumOfMagnitudes + ((Double3)at.LocalPointA).SumOfMagnitudes
+            + ((Double3)at.LocalPointB).SumOfMagnitudes;
+
     /// <summary>Puts it first.</summary>
     public static void Lead(ref ContactManifold manifold)
     {

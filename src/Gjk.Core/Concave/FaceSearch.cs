@@ -106,8 +106,12 @@ internal ref struct FaceSearch
 
     /// <summary>Whether the points of a mesh's part are as deep as its tip: only the tip is known to be shown along the
     /// face, and not what lies beside it.</summary>
-    public static bool IsAsDeep(in ContactManifold manifold, double tip) =>
-        manifold[DeepestPoint.Of(manifold)].Gap <= tip + TipRoom * Math.Abs(tip) + ContactCone.Slack;
+    public static bool IsAsDeep(in ContactManifold manifold, double tip)
+    {
+        DistanceResult deepest = DeepestPoint.Result(manifold, default);
+        double room = TipRoom * Math.Abs(tip) + ContactCone.Slack * DeepestPoint.PlaceOf(deepest);
+        return deepest.Distance <= tip + room;
+    }
 
     /// <summary>The points of the two parts along a direction, from A to B in the world.</summary>
     private readonly ContactManifold Along(in Double3 direction, in ConvexShape shapeA, in ConvexShape shapeB)
@@ -156,7 +160,8 @@ internal ref struct FaceSearch
     private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA)
     {
         PairContacts made = Made(partA, partB, manifold);
-        if (_own.Distance > 0 && made.Result.Distance < -2 * _maxGap - (float)ContactCone.Slack) return;
+        double least = -2 * _maxGap - ContactCone.Slack * DeepestPoint.PlaceOf(made.Result);
+        if (_own.Distance > 0 && made.Result.Distance < least) return;
         if (!_best.IsThere || _best.Contact.Result.Distance < made.Result.Distance) _best = new(made, isOfA);
     }
 

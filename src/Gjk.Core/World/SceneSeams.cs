@@ -6,8 +6,11 @@ internal sealed class SceneSeams(SceneObjects objects)
 {
     private ulong[] _keys = new ulong[16];
     private bool[] _isCovered = new bool[16];
-    private readonly List<int> _grounds = [];
+    private readonly List<Ground> _grounds = [], _around = [];
+    private readonly List<int> _near = [];
     private readonly List<OpenPlane> _planes = [];
+    private int _center, _planeCount;
+    private double _lift;
     private readonly List<(int At, PairContacts Straight)> _straight = [];
 
     /// <summary>Takes the contacts at such seams out of a scene's.</summary>
@@ -65,7 +68,8 @@ internal sealed class SceneSeams(SceneObjects objects)
         for (int i = begin; i < end; i++)
         {
             int ground = new BodyContact(objects, contacts[(int)(uint)_keys[i]], body).Ground;
-            if (_grounds.Count == 0 || _grounds[_grounds.Count - 1] != ground) _grounds.Add(ground);
+            if (_grounds.Count == 0 || _grounds[_grounds.Count - 1].Slot != ground)
+                _grounds.Add(new Ground(objects, ground));
         }
     }
 
@@ -74,34 +78,40 @@ internal sealed class SceneSeams(SceneObjects objects)
     private bool Cover(List<PairContacts> contacts, int begin, int end, float maxGap)
     {
         _planes.Clear();
+        BeginNear();
         for (int i = begin; i < end; i++)
         {
             BodyContact one = At(contacts, i);
             int at = (int)(uint)_keys[i];
-            for (int k = 0; k < _grounds.Count && !_isCovered[at]; k++) _isCovered[at] = one.GoesOnIn(_grounds[k]);
+            FindNear(contacts, i, end, one);
+            _isCovered[at] = one.GoesOnIn(_near);
             if (!_isCovered[at]) one.AddPlane(_planes);
         }
 
         bool isAny = false;
+        BeginNear();
         for (int i = begin; i < end; i++)
         {
             BodyContact one = At(contacts, i);
             ref bool isCovered = ref _isCovered[(int)(uint)_keys[i]];
-            isCovered = isCovered ? !one.StandsOn(_planes) : IsBuried(one);
+            bool isAcross = !isCovered && one.IsAnyAcross(_planes);
+            if (isAcross) FindNear(contacts, i, end, one);
+            isCovered = isCovered
+                ? !one.StandsOn(_planes)
+                : one.IsAside || (isAcross && one.IsBuried(_near, _planes));
             isAny |= isCovered;
         }
 
         if (!isAny) return false;
         _straight.Clear();
+        BeginNear();
         for (int i = begin; i < end; i++)
         {
             BodyContact one = At(contacts, i);
             int at = (int)(uint)_keys[i];
-            if (_isCovered[at] && one.Overlaps && !IsHeld(contacts, begin, end, one)
-                && one.TryStraighten(_grounds, maxGap, out PairContacts straight))
-            {
-                _straight.Add((at, straight));
-            }
+            if (!_isCovered[at] || !one.Overlaps || IsHeld(contacts, begin, end, one)) continue;
+            FindNear(contacts, i, end, one);
+            if (one.TryStraighten(_near, maxGap, out PairContacts straight)) _straight.Add((at, straight));
         }
 
         foreach ((int at, PairContacts straight) in _straight) (contacts[at], _isCovered[at]) = (straight, false);
@@ -115,11 +125,41 @@ internal sealed class SceneSeams(SceneObjects objects)
         return true;
     }
 
-    private bool IsBuried(in BodyContact one)
+    /// <summary>Before a walk over the contacts of a body, with the planes that there are.</summary>
+    private void BeginNear()
     {
-        foreach (int ground in _grounds)
-            if (one.IsBuried(ground, _planes)) return true;
-        return false;
+        (_center, _planeCount, _lift) = (-1, _planes.Count, 0);
+        foreach (OpenPlane plane in _planes)
+            _lift = Math.Max(_lift, plane.Depth + 2 * CoveredSides.Room * plane.Foot.SumOfMagnitudes);
+    }
+
+    /// <summary>Finds the other grounds that may hold a point of a contact, or one lifted to a plane: of those around
+    /// the contacts that follow with the same ground.</summary>
+    private void FindNear(List<PairContacts> contacts, int at, int end, in BodyContact one)
+    {
+        one.Bound(_planeCount, out PartBox box, out double place);
+        if (_center != one.Ground)
+        {
+            _center = one.Ground;
+            PartBox all = box;
+            double most = place;
+            for (int i = at + 1; i < end; i++)
+            {
+                BodyContact other = At(contacts, i);
+                if (other.Ground != _center) break;
+                other.Bound(_planeCount, out PartBox next, out double nextPlace);
+                all.Add(next);
+                most = Math.Max(most, nextPlace);
+            }
+
+            _around.Clear();
+            foreach (Ground ground in _grounds)
+                if (ground.Slot != _center && ground.IsNear(all, most, _lift)) _around.Add(ground);
+        }
+
+        _near.Clear();
+        foreach (Ground ground in _around)
+            if (ground.IsNear(box, place, _lift)) _near.Add(ground.Slot);
     }
 
     private BodyContact At(List<PairContacts> contacts, int key) =>
@@ -160,9 +200,23 @@ internal sealed class SceneSeams(SceneObjects objects)
         public void AddPlane(List<OpenPlane> planes) =>
             CoveredSides.AddPlane(planes, _contact.Manifold, !_isBodyA, _objects.Poses[Ground]);
 
-        /// <summary>Whether another static object goes on where this contact is.</summary>
-        public bool GoesOnIn(int ground) =>
-            ground != Ground && new GroundCover(_objects, ground).GoesOn(Witness, Outward);
+        /// <summary>The box of its points on the static object, and the magnitudes of where they are; only of its
+        /// witness where there are no planes to be lifted to.</summary>
+        public void Bound(int planes, out PartBox box, out double place)
+        {
+            box = new PartBox(Witness, Witness);
+            for (int i = 0; planes > 0 && i < _contact.Manifold.Count; i++)
+            {
+                Double3 foot = CoveredSides.FootOf(_contact.Manifold[i], !_isBodyA, _objects.Poses[Ground]);
+                box.Add(foot);
+            }
+
+            place = box.Min.SumOfMagnitudes + box.Max.SumOfMagnitudes
+                + ((Double3)_objects.Poses[Ground].Position).SumOfMagnitudes;
+        }
+
+        /// <summary>Whether one of the other static objects goes on where this contact is.</summary>
+        public bool GoesOnIn(List<int> others) => new GroundCover(_objects, others).GoesOn(Witness, Outward);
 
         /// <summary>Whether its part is there beyond the plane of another contact.</summary>
         public bool StandsOn(List<OpenPlane> planes)
@@ -171,26 +225,44 @@ internal sealed class SceneSeams(SceneObjects objects)
             return CoveredSides.StandsOn(Witness, Outward, GroundPart(ref room), _objects.Poses[Ground], planes);
         }
 
-        /// <summary>Whether it is at a side that another static object covers.</summary>
-        public bool IsBuried(int ground, List<OpenPlane> planes)
+        /// <summary>Whether the plane of another contact is across it.</summary>
+        public bool IsAnyAcross(List<OpenPlane> planes) => CoveredSides.IsAnyAcross(planes, Outward);
+
+        /// <summary>Whether it is at a side that other static objects cover.</summary>
+        public bool IsBuried(List<int> others, List<OpenPlane> planes)
         {
             ConvexShape room = default;
-            return ground != Ground && CoveredSides.IsBuried(
+            return CoveredSides.IsBuried(
                 _contact.Manifold, !_isBodyA, GroundPart(ref room), _objects.Poses[Ground], planes,
-                new GroundCover(_objects, ground));
+                new GroundCover(_objects, others));
+        }
+
+        /// <summary>Whether it is along a face that the static object, as it is convex, meets elsewhere: as a part of a
+        /// compound it would not have it.</summary>
+        public bool IsAside
+        {
+            get
+            {
+                if (!Overlaps || !_objects.Parts.Has(Body) || _objects.Parts.Has(Ground)) return false;
+                ConvexShape groundRoom = default, bodyRoom = default;
+                ManifoldPoint tip = CoveredSides.Tip(
+                    GroundPart(ref groundRoom), _objects.Poses[Ground], BodyPart(ref bodyRoom), _objects.Poses[Body],
+                    Outward);
+                return !FaceSearch.IsAsDeep(_contact.Manifold, tip.Gap);
+            }
         }
 
         private Double3 Witness => CoveredSides.InWorld(
             _isBodyA ? _contact.Result.LocalPointB : _contact.Result.LocalPointA, _objects.Poses[Ground]);
 
         /// <summary>The contact along the way that all of the static objects show together.</summary>
-        public bool TryStraighten(List<int> grounds, float maxGap, out PairContacts straight)
+        public bool TryStraighten(List<int> others, float maxGap, out PairContacts straight)
         {
             ConvexShape groundRoom = default, bodyRoom = default;
             ref readonly ConvexShape ground = ref GroundPart(ref groundRoom);
             ref readonly ConvexShape body = ref BodyPart(ref bodyRoom);
             RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
-            Double3 way = CoveredSides.WayFrom(Witness, Outward, new GroundCover(_objects, Ground, grounds));
+            Double3 way = CoveredSides.WayFrom(Witness, Outward, new GroundCover(_objects, others));
             straight = _contact;
             return _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
                 ? CoveredSides.TryAlong(ref straight, false, body, bodyPose, ground, pose, maxGap, way)
@@ -212,31 +284,5 @@ internal sealed class SceneSeams(SceneObjects objects)
 
         private ref readonly ConvexShape BodyPart(ref ConvexShape room) =>
             ref _objects.Parts.Part(Body, _isBodyA ? _contact.PartA : _contact.PartB, ref room);
-    }
-
-    /// <summary>A static object, and for the way to a point those that are there beside it.</summary>
-    private readonly struct GroundCover(SceneObjects objects, int ground, List<int>? grounds = null) : ICover
-    {
-        public bool GoesOn(in Double3 point, in Double3 direction)
-        {
-            RotationD turn = new(objects.Poses[ground].Rotation);
-            Double3 local = turn.InverseRotate(point - objects.Poses[ground].Position);
-            return objects.Parts.GoesOn(ground, local, turn.InverseRotate(direction));
-        }
-
-        public Double3 WayTo(in Double3 point)
-        {
-            var pose = new RigidPose((Vector3)point);
-            DistanceResult least = default;
-            foreach (int other in grounds!)
-            {
-                if (other == ground) continue;
-                DistanceResult found = objects.Parts.Distance(
-                    ConvexShape.Point(), pose, other, float.PositiveInfinity).Result;
-                if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
-            }
-
-            return -least.Normal;
-        }
     }
 }

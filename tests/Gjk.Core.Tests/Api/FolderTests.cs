@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 90,
         ["Threading"] = 175,
         ["Wide"] = 936,
-        ["World"] = 1173,
+        ["World"] = 1225,
     };
 
     [Fact]

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Gjk.Core.Tests.Concave;
 using Gjk.Core.Tests.Support;
 
@@ -66,6 +67,62 @@ public class SceneSeamTests
         Assert.Contains(_contacts, c => c.Manifold.Normal.Y > 0.999f);
         Assert.Contains(_contacts, c => c.Manifold.Normal.X < -0.999f);
         Assert.Equal(2, _contacts.Count);
+    }
+
+    /// <summary>A keel on two flush boxes: a side of it that crosses the seam is not pushed along, as the box that it
+    /// begins in goes on.</summary>
+    [Fact]
+    public void BoxesPushASolidAsACompoundDoes()
+    {
+        Vector3[] profile = [new(-0.25f, 0, 1), new(0.25f, 0, 1), new(1.25f, 0.5f, 1), new(-1.25f, 0.5f, 1)];
+        int[] indices = [0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 4, 5, 0, 5, 1, 1, 5, 6, 1, 6, 2, 2, 6, 7, 2, 7, 3, 3, 7,
+            4, 3, 4, 0];
+        var keel = new TriangleMesh([.. profile, .. profile.Select(v => v with { Z = -1 })], indices);
+        const float Depth = 0.037417915f;
+        var scene = new CollisionScene();
+        scene.Add(AnyShape.Solid(keel), new RigidPose(new Vector3(-0.2683233f, -Depth, 0.18019593f)));
+        foreach (float x in new[] { -2f, 2 })
+        {
+            scene.Add(
+                ConvexShape.Box(new Vector3(2, 1, 4)), new RigidPose(new Vector3(x, -1, 0)),
+                new ObjectSettings(isStatic: true));
+        }
+
+        scene.FindContacts(0.01f, _contacts);
+        Assert.NotEmpty(_contacts);
+        foreach (PairContacts one in _contacts)
+        {
+            Assert.True(one.Manifold.Normal.Y < -0.9999f, $"{one}");
+            Assert.InRange(one.Manifold[0].Gap, -Depth - 1e-6f, 0);
+        }
+    }
+
+    /// <summary>Tiles are asked only where a contact is: to join 576 costs about as much as their contacts, and not a
+    /// hundred times that.</summary>
+    [Fact]
+    public void ManyTilesCostAsMuchAsTheirContacts()
+    {
+        AnyShape tile = AnyShape.Surface(TriangleMesh.FromHeights(new float[4], 2, new Vector2(0.125f)));
+        var scene = new CollisionScene();
+        int id = scene.Add(ConvexShape.Box(new Vector3(1, 0.6f, 0.8f)), RigidPose.Identity);
+        for (int i = 0; i < 576; i++)
+        {
+            var at = new Vector3(i / 24 - 12, 0, i % 24 - 12);
+            scene.Add(tile, new RigidPose(0.125f * at), new ObjectSettings(isStatic: true));
+        }
+
+        double[] least = [double.MaxValue, double.MaxValue];
+        for (int i = 0; i < 20; i++)
+        {
+            scene.JoinsStatic = i % 2 == 1;
+            scene.Move(id, new RigidPose(new Vector3(0.05f + 1e-3f * i, 0.599f, 0.03f)));
+            long start = Stopwatch.GetTimestamp();
+            scene.FindContacts(Reach, _contacts);
+            least[i % 2] = Math.Min(least[i % 2], Stopwatch.GetTimestamp() - start);
+        }
+
+        Assert.True(_contacts.Count > 400);
+        Assert.True(least[1] < 25 * least[0], $"{least[1]} against {least[0]} ticks");
     }
 
     [Fact]
