@@ -114,13 +114,25 @@ public static partial class ConcaveQuery
             scratch.B.Pose = lifted;
             var still = new RigidMotion(a.Pose, Vector3.Zero);
             CastHit start = Move(scratch, PartMotion.Cast, still, new RigidMotion(lifted, Vector3.Zero), 0, 0, default);
-            if (!UnionLift.TryMove(start.Result, options, 1, ref lifted)) break;
+            if (!UnionLift.TryMove(ShorterWay(scratch, start.Result), options, 1, ref lifted)) break;
             isLifted = true;
         }
 
         scratch.B.Pose = b.Pose;
         if (isLifted) liftedOptions = UnionLift.OptionsAt(lifted, options);
         return isLifted;
+    }
+
+    /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's
+    /// outside and does not lead into a solid: a solid that stands in a floor rises out of it, though its walls, which
+    /// are all that the floor touches, look aside.</summary>
+    private static CastResult ShorterWay(ConcaveScratch scratch, in CastResult start)
+    {
+        ref PartCastSearch search = ref scratch.CastSearch;
+        CastResult parts = search.Cast;
+        if (search.PartA < 0 || parts.Status != CastStatus.OverlappingAtStart || !(parts.Depth < start.Depth))
+            return start;
+        return Containment.IsAnyInside(scratch, (Double3)parts.Normal * parts.Depth) ? start : parts;
     }
 
     /// <summary>Every pair of parts that meets, or overlaps at the start, as it would without the others.</summary>
