@@ -124,15 +124,14 @@ public static partial class ConcaveQuery
     }
 
     /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's
-    /// outside and does not lead into a solid: a solid that stands in a floor rises out of it, though its walls, which
-    /// are all that the floor touches, look aside.</summary>
+    /// outside: a solid that stands in a floor rises out of it, though its walls, which are all that the floor touches,
+    /// look aside. A way that leads into a solid is followed by the one out of that.</summary>
     private static CastResult ShorterWay(ConcaveScratch scratch, in CastResult start)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
-        CastResult parts = search.Cast;
-        if (search.PartA < 0 || parts.Status != CastStatus.OverlappingAtStart || !(parts.Depth < start.Depth))
-            return start;
-        return Containment.IsAnyInside(scratch, (Double3)parts.Normal * parts.Depth) ? start : parts;
+        bool isOfParts = search.PartA >= 0 && search.Cast.Status == CastStatus.OverlappingAtStart
+            && search.Cast.Depth < start.Depth;
+        return isOfParts ? search.Cast : start;
     }
 
     /// <summary>Every pair of parts that meets, or overlaps at the start, as it would without the others.</summary>

@@ -82,7 +82,8 @@ public class UnionSlideTests
             float lowest = -Solids.Lowest(mesh, Quaternion.Identity);
             for (int i = 0; i < 24; i++)
             {
-                float deep = i % 3 == 0 ? 0.002f : i % 3 == 1 ? 0.01f : 0.05f;
+                float deep = i % 3 == 0 ? 0.002f
+                    : i % 3 == 1 || floor.Kind == AnyShapeKind.Solid ? 0.01f : 0.05f;
                 var from = new RigidPose(
                     Quaternion.CreateFromAxisAngle(Vector3.UnitY, 0.3f * i),
                     new Vector3(0.7f + 0.02f * i, lowest - deep, 1.2f + 0.013f * i));
