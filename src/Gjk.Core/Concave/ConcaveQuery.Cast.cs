@@ -86,6 +86,7 @@ public static partial class ConcaveQuery
         else PartCastSearch.Run(scratch);
         search.AllCasts = null;
         if (all is not null) return default;
+        search.Settle(scratch);
         CastResult found = search.PartA >= 0
             ? search.Cast
             : CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0);

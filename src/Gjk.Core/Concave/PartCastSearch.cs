@@ -263,7 +263,24 @@ internal struct PartCastSearch
 
         if (AllCasts is not null)
             AllCasts.Add(new CastHit(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
-        else if (Take(found.Order, feature, partA, partB)) Cast = found;
+        else Meet(scratch, new CastHit(found, partA, partB, feature));
+    }
+
+    /// <summary>Keeps a contact with those that are met at once.</summary>
+    private void Meet(ConcaveScratch scratch, in CastHit hit)
+    {
+        int order = PartA < 0 ? -1 : hit.Result.Order.CompareTo(_best);
+        if (order < 0) scratch.Met.Clear();
+        if (order <= 0) scratch.Met.Add(hit);
+        if (Take(hit.Result.Order, hit.Feature, hit.PartA, hit.PartB)) Cast = hit.Result;
+    }
+
+    /// <summary>Takes the contact that holds for all that are met at once.</summary>
+    public void Settle(ConcaveScratch scratch)
+    {
+        if (PartA < 0 || Cast.Status != CastStatus.Hit || scratch.Met.Count < 2) return;
+        CastHit hit = new MetTogether(scratch, _a, _b, Cast.Fraction).Choose();
+        (Cast, Feature, PartA, PartB) = (hit.Result, hit.Feature, hit.PartA, hit.PartB);
     }
 
     /// <summary>Takes the plane of two parts that are apart at the start: where many parts pass each other closely,
