@@ -1,18 +1,5 @@
 namespace Gjk.Core;
 
-/// <summary>What a search for the first contact asks two parts.</summary>
-internal enum PartMotion : byte
-{
-    /// <summary>Both move along lines.</summary>
-    Cast,
-
-    /// <summary>Both move along lines and turn.</summary>
-    Impact,
-
-    /// <summary>B is a point that moves: a ray.</summary>
-    Ray,
-}
-
 /// <summary>The pair of parts that touches first: as <see cref="PartPairSearch"/>, with bounds of the fraction instead
 /// of the distance.</summary>
 /// <remarks>The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their
@@ -273,14 +260,6 @@ internal struct PartCastSearch
         if (order < 0) scratch.Met.Clear();
         if (order <= 0) scratch.Met.Add(hit);
         if (Take(hit.Result.Order, hit.Feature, hit.PartA, hit.PartB)) Cast = hit.Result;
-    }
-
-    /// <summary>Takes the contact that holds for all that are met at once.</summary>
-    public void Settle(ConcaveScratch scratch)
-    {
-        if (PartA < 0 || Cast.Status != CastStatus.Hit || scratch.Met.Count < 2) return;
-        CastHit hit = new MetTogether(scratch, _a, _b, Cast.Fraction).Choose();
-        (Cast, Feature, PartA, PartB) = (hit.Result, hit.Feature, hit.PartA, hit.PartB);
     }
 
     /// <summary>Takes the plane of two parts that are apart at the start: where many parts pass each other closely,
