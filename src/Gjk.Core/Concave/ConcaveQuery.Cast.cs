@@ -16,10 +16,10 @@ public static partial class ConcaveQuery
     /// <param name="options">Which contacts are passed; by default none. What is inside the union of the parts at the
     /// start may slide along the union.</param>
     /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.Cast</c> has for them;
-    /// at the start the pair that overlaps deepest; where several are met at once, one whose normal separates all that are
-    /// met at its point; then a face goes before an edge and an edge before a corner; then the least numbers. What
-    /// begins inside a solid is OverlappingAtStart, with the way out
-    /// over the solid's outside; what touches its surface and moves into it is a hit at 0. Invalid input, or a scratch
+    /// at the start the pair that overlaps deepest; where several are met at once, one whose normal separates all that
+    /// are met at its point; then a face goes before an edge and an edge before a corner; then the least numbers. What
+    /// begins inside a solid is OverlappingAtStart, with the way out over the solid's outside; what touches its surface
+    /// and moves into it is a hit at 0. Invalid input, or a scratch
     /// that is null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
     public static CastHit Cast(
         in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,

@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 119,
         ["Batch"] = 165,
         ["BroadPhase"] = 861,
-        ["Concave"] = 2539,
+        ["Concave"] = 2554,
         ["Concave/Trees"] = 627,
         ["Contacts"] = 968,
         ["Cores"] = 541,
