@@ -16,9 +16,10 @@ public static partial class ConcaveQuery
     /// <param name="options">Which contacts are passed; by default none. What is inside the union of the parts at the
     /// start may slide along the union.</param>
     /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.Cast</c> has for them;
-    /// at the start the pair that overlaps deepest; where several are met at once, a face goes before an edge and an
-    /// edge before a corner; then the least numbers. What begins inside a solid is OverlappingAtStart, with the way out
-    /// over the solid's outside; what touches its surface and moves into it is a hit at 0. Invalid input, or a scratch
+    /// at the start the pair that overlaps deepest; where several are met at once, one whose normal separates all that
+    /// are met at its point; then a face goes before an edge and an edge before a corner; then the least numbers. What
+    /// begins inside a solid is OverlappingAtStart, with the way out over the solid's outside; what touches its surface
+    /// and moves into it is a hit at 0. Invalid input, or a scratch
     /// that is null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
     public static CastHit Cast(
         in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,
@@ -87,6 +88,7 @@ public static partial class ConcaveQuery
         else PartCastSearch.Run(scratch);
         search.AllCasts = null;
         if (all is not null) return default;
+        MetTogether.Settle(scratch, a, b);
         CastResult found = search.PartA >= 0
             ? search.Cast
             : CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0);
@@ -115,13 +117,24 @@ public static partial class ConcaveQuery
             scratch.B.Pose = lifted;
             var still = new RigidMotion(a.Pose, Vector3.Zero);
             CastHit start = Move(scratch, PartMotion.Cast, still, new RigidMotion(lifted, Vector3.Zero), 0, 0, default);
-            if (!UnionLift.TryMove(start.Result, options, 1, ref lifted)) break;
+            if (!UnionLift.TryMove(ShorterWay(scratch, start.Result), options, 1, ref lifted)) break;
             isLifted = true;
         }
 
         scratch.B.Pose = b.Pose;
         if (isLifted) liftedOptions = UnionLift.OptionsAt(lifted, options);
         return isLifted;
+    }
+
+    /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's
+    /// outside: a solid that stands in a floor rises out of it, though its walls, which are all that the floor touches,
+    /// look aside. A way that leads into a solid is followed by the one out of that.</summary>
+    private static CastResult ShorterWay(ConcaveScratch scratch, in CastResult start)
+    {
+        ref PartCastSearch search = ref scratch.CastSearch;
+        bool isOfParts = search.PartA >= 0 && search.Cast.Status == CastStatus.OverlappingAtStart
+            && search.Cast.Depth < start.Depth;
+        return isOfParts ? search.Cast : start;
     }
 
     /// <summary>Every pair of parts that meets, or overlaps at the start, as it would without the others.</summary>

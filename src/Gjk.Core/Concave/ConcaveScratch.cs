@@ -16,7 +16,7 @@ public sealed class ConcaveScratch
     internal readonly List<bool> AreAtJoints = [];
     internal readonly List<(float Distance, int Contact)> Shallowest = [];
     internal readonly HashSet<(int PartA, int PartB)> Named = [];
-    internal readonly List<CastHit> Casts = [];
+    internal readonly List<CastHit> Casts = [], Met = [];
     private readonly Stack<ConcaveScratch> _idle = new();
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;

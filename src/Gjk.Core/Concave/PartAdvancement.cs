@@ -18,7 +18,8 @@ internal static class PartAdvancement
     private const double Near = 1.0 / (1 << 6);
 
     /// <summary>Count: so many looks at two parts cost about as much as a distance of the bodies. A piece after one
-    /// with fewer is twice as long; after one that got less far for its cost than the distance does, it is half. It
+    /// with fewer is twice as long; after one that got less far for its cost than the distance does, it is half. Where
+    /// the bodies are about as near as parts that touch, distances lead nowhere, and each piece is twice as long. It
     /// changes the cost alone.</summary>
     private const int LooksPerDistance = 32;
 
@@ -54,7 +55,8 @@ internal static class PartAdvancement
             double rounding = RoundingOf(sideA, sideB);
             PartPairSearch.Run(scratch, float.PositiveInfinity, nearest);
             nearest.Set(scratch.Search.PartA, scratch.Search.PartB);
-            double free = (scratch.Search.LowerBound - search.TouchRoom - rounding) / speed;
+            double room = (search.TouchRoom + rounding) / speed;
+            double free = scratch.Search.LowerBound / speed - room;
             if (free > span)
             {
                 from += free;
@@ -68,7 +70,7 @@ internal static class PartAdvancement
             int asked = search.Asked - before;
             if (to >= search.Last) break;
             from = to;
-            if (asked < LooksPerDistance) span *= 2;
+            if (asked < LooksPerDistance || free <= room) span *= 2;
             else if (asked * free > LooksPerDistance * span) span /= 2;
         }
 

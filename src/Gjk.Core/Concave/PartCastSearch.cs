@@ -1,18 +1,5 @@
 namespace Gjk.Core;
 
-/// <summary>What a search for the first contact asks two parts.</summary>
-internal enum PartMotion : byte
-{
-    /// <summary>Both move along lines.</summary>
-    Cast,
-
-    /// <summary>Both move along lines and turn.</summary>
-    Impact,
-
-    /// <summary>B is a point that moves: a ray.</summary>
-    Ray,
-}
-
 /// <summary>The pair of parts that touches first: as <see cref="PartPairSearch"/>, with bounds of the fraction instead
 /// of the distance.</summary>
 /// <remarks>The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their
@@ -263,7 +250,16 @@ internal struct PartCastSearch
 
         if (AllCasts is not null)
             AllCasts.Add(new CastHit(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
-        else if (Take(found.Order, feature, partA, partB)) Cast = found;
+        else Meet(scratch, new CastHit(found, partA, partB, feature));
+    }
+
+    /// <summary>Keeps a contact with those that are met at once.</summary>
+    private void Meet(ConcaveScratch scratch, in CastHit hit)
+    {
+        int order = PartA < 0 ? -1 : hit.Result.Order.CompareTo(_best);
+        if (order < 0) scratch.Met.Clear();
+        if (order <= 0) scratch.Met.Add(hit);
+        if (Take(hit.Result.Order, hit.Feature, hit.PartA, hit.PartB)) Cast = hit.Result;
     }
 
     /// <summary>Takes the plane of two parts that are apart at the start: where many parts pass each other closely,

@@ -75,18 +75,66 @@ public sealed class PartAdvancementTests
             new RigidPose(Quaternion.Identity, new Vector3(2.7f + gap, 0, 0)), Vector3.Zero, new Vector3(0, -turn, 0));
         Assert.Equal(
             CastStatus.Miss, ConcaveQuery.TimeOfImpact(wheel, motionA, wheel, motionB, _scratch).Status);
+        AssertNoMoreThanTwiceALoopOfDistances(wheel, motionA, wheel, motionB, 1);
+    }
+
+    /// <summary>A step of theirs that comes down on another is met long after the whole bodies are near.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(float.PositiveInfinity)]
+    public void BodiesWithAStepThatMeetCostNoMoreThanTwiceALoopOfDistances(float tolerance)
+    {
+        var body = AnyShape.Solid(Stepped());
+        var from = new RigidPose(
+            new Quaternion(0.6843205f, -0.6262224f, -0.35133255f, -0.12695047f),
+            new Vector3(-2.2890162f, 0.072764985f, 1.7462846f));
+        var motionA = new RigidMotion(
+            from, new Vector3(0.52010655f, 0.2474097f, -0.8174825f), new Vector3(1, 0.3f, 0.2f));
+        var motionB = new RigidMotion(
+            new RigidPose(new Quaternion(0.6979811f, -0.19459322f, -0.65721565f, 0.20742093f), Vector3.Zero), default);
+        CastHit hit = ConcaveQuery.TimeOfImpact(body, motionA, body, motionB, _scratch, tolerance);
+        Assert.Equal(CastStatus.Hit, hit.Status);
+        AssertNoMoreThanTwiceALoopOfDistances(body, motionA, body, motionB, hit.Fraction);
+    }
+
+    /// <summary>A cube of side 2 without a quarter, 1.2 thick.</summary>
+    private static TriangleMesh Stepped()
+    {
+        Vector2[] around = [new(-1, -1), new(1, -1), new(1, 0), new(0, 0), new(0, 1), new(-1, 1)];
+        var corners = new List<Vector3>();
+        foreach (float z in new[] { 0.6f, -0.6f })
+            foreach (Vector2 corner in around) corners.Add(new Vector3(corner, z));
+        var indices = new List<int>();
+        for (int i = 0; i < 6; i++)
+        {
+            int j = (i + 1) % 6;
+            if (i is > 0 and < 5) indices.AddRange([0, i, j, 6, 6 + j, 6 + i]);
+            indices.AddRange([i, 6 + i, 6 + j, i, 6 + j, j]);
+        }
+
+        return new TriangleMesh(corners, indices);
+    }
+
+    /// <summary>Checks the last search of the scratch.</summary>
+    private void AssertNoMoreThanTwiceALoopOfDistances(
+        in AnyShape a, in RigidMotion motionA, in AnyShape b, in RigidMotion motionB, float end)
+    {
         ref PartCastSearch search = ref _scratch.CastSearch;
         double speed = search.Speed, fraction = 0;
         int work = search.Steps + search.Asked / 32, distances = 0;
+        string spent = $"{search.Steps} steps, {search.Asked} parts";
         PartWarmStart nearest = default;
-        for (; fraction < 1; distances++)
+        for (; fraction < end && distances < 4000; distances++)
         {
             RigidPose poseA = PartAdvancement.PoseAt(motionA, fraction);
             RigidPose poseB = PartAdvancement.PoseAt(motionB, fraction);
-            fraction += ConcaveQuery.Distance(wheel, poseA, wheel, poseB, ref nearest, _scratch).Distance / speed;
+            float apart = ConcaveQuery.Distance(a, poseA, b, poseB, ref nearest, _scratch).Distance;
+            if (!(apart > 1e-5f)) break;
+            fraction += apart / speed;
         }
 
-        Assert.InRange(work, 1, 2 * distances);
+        Assert.True(work >= 1 && work <= 2 * distances, $"{spent}, {distances} distances");
     }
 
     [Fact]

@@ -1,3 +1,5 @@
+using Gjk.Core.Tests.Concave;
+
 namespace Gjk.Core.Tests.World;
 
 /// <summary>What begins inside the union of parts or objects slides along the union, over its seams, and is stopped by
@@ -55,6 +57,49 @@ public class UnionSlideTests
             : ConcaveQuery.Cast(
                 floor, at, Vector3.Zero, body, from, new Vector3(5, 0, 0), scratch, options: options);
         Assert.Equal(CastStatus.Miss, found.Status);
+    }
+
+    /// <summary>A solid's walls look aside where it stands in a floor, but it leaves the floor upwards.</summary>
+    [Theory]
+    [InlineData("plate")]
+    [InlineData("two-sided")]
+    [InlineData("slivers of 1e-6")]
+    [InlineData("filled T-junctions")]
+    [InlineData("tiles")]
+    [InlineData("joined boxes")]
+    public void ASolidThatIsDeepSlidesOverSeams(string name)
+    {
+        AnyShape floor = Concave.Floors.Named(name);
+        var scratch = new ConcaveScratch();
+        TriangleMesh[] bodies =
+        [
+            Support.ConcaveShapes.Box(new Vector3(0.5f)), Support.ConcaveShapes.Torus(16, 8, 0.4f, 0.2f),
+            Solids.Named("ball", 0),
+        ];
+        foreach (TriangleMesh mesh in bodies)
+        {
+            var body = AnyShape.Solid(mesh);
+            float lowest = -Solids.Lowest(mesh, Quaternion.Identity);
+            for (int i = 0; i < 24; i++)
+            {
+                float deep = i % 3 == 0 ? 0.002f
+                    : i % 3 == 1 || floor.Kind == AnyShapeKind.Solid ? 0.01f : 0.05f;
+                var from = new RigidPose(
+                    Quaternion.CreateFromAxisAngle(Vector3.UnitY, 0.3f * i),
+                    new Vector3(0.7f + 0.02f * i, lowest - deep, 1.2f + 0.013f * i));
+                Vector3 way = new(0.9f, 0, 0.1f);
+                CastHit hit = ConcaveQuery.Cast(
+                    body, from, way, floor, RigidPose.Identity, Vector3.Zero, scratch, options: NoDeeper);
+                Assert.True(hit.Status == CastStatus.Miss, $"{mesh.TriangleCount} triangles, {i}, {deep}: {hit}");
+                hit = ConcaveQuery.Cast(
+                    floor, RigidPose.Identity, Vector3.Zero, body, from, way, scratch, options: NoDeeper);
+                Assert.True(hit.Status == CastStatus.Miss, $"{mesh.TriangleCount} triangles, {i}, {deep}: {hit}");
+                hit = ConcaveQuery.Cast(
+                    body, from, new Vector3(0.9f, -0.1f, 0), floor, RigidPose.Identity, Vector3.Zero, scratch,
+                    options: NoDeeper);
+                Assert.True(hit.IsHit, $"{mesh.TriangleCount} triangles, {i}, {deep}: down");
+            }
+        }
     }
 
     internal static void AddFloor(CollisionScene scene, string floor)
