@@ -29,11 +29,12 @@ public static unsafe partial class ConvexQuery
                 _isWhole ? CastStatus.Miss : CastStatus.IterationLimit, RoundOff.Down(_isWhole ? _maxFraction : _begin),
                 0);
             if (!(_begin <= _end)) return;
-            result = SearchHalfSpace(new HalfSpaceMotion(pair, _motion, _end, tolerance), ref other);
+            var search = new HalfSpaceMotion(pair, _motion, _end, tolerance);
+            result = SearchHalfSpace(ref search, ref other);
         }
 
         /// <summary>Looks for a contact, or follows the one that is known and looks for the next.</summary>
-        private readonly CastResult SearchHalfSpace<T>(HalfSpaceMotion search, ref T other)
+        private readonly CastResult SearchHalfSpace<T>(ref HalfSpaceMotion search, ref T other)
             where T : struct, ISupportMap
         {
             CastResult contact = _contact;

@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// <param name="normal">Of the plane, of unit length, in its own axes.</param>
 /// <param name="size">The other's bounding radius; it lies within two of them about the foot of its deepest
 /// point.</param>
-internal readonly struct HalfSpacePatch(Double3 normal, double size) : ISupportMap
+internal readonly struct HalfSpacePatch(in Double3 normal, double size) : ISupportMap
 {
     /// <summary>Ratio to the other's radius: half a side. Above 2, so that no corner of the square is ever shared; more
     /// changes no point.</summary>

@@ -23,10 +23,11 @@ public class BuildCostOnMonoTests
     private static readonly (string Method, string Reason)[] CopiedShapes =
     [
         ("Placement.GetFace", Given), ("ShapeTraits.cctor", Making), ("PlacedTraits.InCoreAxes", Decorator),
-        ("Guard.NotNull", Making), ("PairFrame.Tighten", Given), ("PairFrame.ComposePlaced", Given),
+        ("Guard.NotNull", Making), ("PairFrame.Tighten", Given),
         ("UnitSized.*", Decorator), ("ConvexQuery.AddPlacedPoints", Placed), ("PairQuery.SolveCopies", Given),
         ("PairQuery.SolveCores", "the cores, made once for each query in place of a switch in each support"),
         ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
+        ("HalfSpacePair.Ask", "the core of the other shape, once for each query"),
     ];
 
     private static readonly (string Method, string Reason)[] ByValue =
@@ -76,7 +77,9 @@ public class BuildCostOnMonoTests
         ("TurningBody.Measure", "each so many steps, for all axes"), ("TurningPlane.Choose", State),
         ("CollisionScene.*", "once for each question about the whole scene"), ("NearestSearch.*", Answer),
         ("MovingShape.*", Answer), ("FirstCastHit.*", Answer), ("AllCastHits.*", Answer),
-        ("SceneDepthJob.Run", Answer), ("SceneContactJob.Run", Answer), ("SceneRayJob.Run", State),
+        ("SceneObjects.DepthOf", Answer), ("SceneObjects.ContactsOf", Answer),
+        ("HalfSpaceMotion.*", State), ("HalfSpacePair.*", Answer), ("MetTogether.*", Contact),
+        ("SceneRayJob.Run", State),
         ("SceneOverlapJob.Run", "once for some dozens of pairs"),
         ("SceneDistanceJob.AskParts", "once for some dozens of pairs"), ("ScenePartQueries.*", Part),
         ("SceneSeams.*", Contact), ("BodyContact.*", Contact), ("GroundCover.*", Cover),
