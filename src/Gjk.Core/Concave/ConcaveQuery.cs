@@ -19,8 +19,8 @@ public static partial class ConcaveQuery
     /// <returns>The least distance over all pairs of parts, which is what <c>ConvexQuery.Distance</c> says of these
     /// two. Shapes overlap where two parts share a point, touching included, or where a piece of one lies inside a
     /// solid. Of pairs that are equally near one is named, for one <paramref name="maxDistance"/> always the same, and
-    /// the lower bound is that of all pairs. A <c>default</c> shape or pose, or a scratch that is null, gives
-    /// <see cref="GjkStatus.InvalidInput"/>.</returns>
+    /// the lower bound is that of all pairs. A <c>default</c> shape or pose gives <see cref="GjkStatus.InvalidInput"/>,
+    /// and so does a scratch that is null, unless both shapes are convex.</returns>
     public static PairDistance Distance(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity)

@@ -43,7 +43,7 @@ internal sealed class Scene
         return other < 0
             ? this
             : throw new RefusedException(
-                $"{name}: $.objects[{other}].shape: {asker} takes convex shapes only, not a "
+                $"{name}: $.objects[{other}].shape: {asker} takes convex shapes that end, not a "
                 + (Objects[other].IsConvex ? "half-space, which has no end"
                     : Objects[other].Any.Mesh is null ? "compound" : "surface"));
     }

@@ -55,7 +55,7 @@ public sealed class RefusalTests
         DemoRun.Of("view", scene, "--out", directory.File("s.html")).AssertRefused(
             "$.objects[1]: a half-space has no end, so it cannot be drawn");
         DemoRun.Of("view", scene, "--live", "--out", directory.File("s.html")).AssertRefused(
-            "$.objects[1].shape: --live takes convex shapes only, not a half-space, which has no end");
+            "$.objects[1].shape: --live takes convex shapes that end, not a half-space, which has no end");
     }
 
     [Fact]
