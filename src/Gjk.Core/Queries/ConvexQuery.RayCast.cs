@@ -19,9 +19,9 @@ public static partial class ConvexQuery
     /// near all along, as in the plane of a hull that is as flat as that, may meet it anywhere there. From an origin on
     /// the surface, where the signed distance is 0, a ray that goes in hits at 0, and one that slides or leaves
     /// misses.</returns>
-    /// <remarks>Spheres, capsules, boxes, cylinders, cones, ellipsoids, triangles, and hulls of up to some 250 corners
-    /// have closed forms, scaled and placed, too. The rest is cast as a point: shapes of your own, tapered capsules,
-    /// shapes rounded that are not spheres or capsules then, and flat ones.</remarks>
+    /// <remarks>Spheres, capsules, boxes, cylinders, cones, ellipsoids, triangles, half-spaces, and hulls of up to some
+    /// 250 corners have closed forms, scaled and placed, too. The rest is cast as a point: shapes of your own, tapered
+    /// capsules, shapes rounded that are not spheres or capsules then, and flat ones.</remarks>
     public static RayCastResult RayCast<T>(
         in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity,
         in CastOptions options = default)

@@ -21,7 +21,8 @@ public readonly struct RayCastResult
     /// has no room for its search, it may be less.</summary>
     public readonly float Depth;
 
-    /// <summary>How many times the shape was asked for a support point: 0 where a closed form answers.</summary>
+    /// <summary>How many times the shape was asked for a support point: 0 where a closed form
+    /// answers, but of a half-space 1.</summary>
     public readonly int Iterations;
 
     /// <summary>The distance as it was solved, before rounding to float.</summary>
