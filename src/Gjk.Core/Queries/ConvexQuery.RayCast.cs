@@ -143,7 +143,8 @@ public static partial class ConvexQuery
     {
         PointShape point = default;
         var question = new RayQuestion(line);
-        PairQuery.Run(shape, pose, point, new RigidPose((Vector3)line.Origin), ref question, out hit);
+        var at = new RigidPose(line.Ball > 0 ? pose.Position : (Vector3)line.Origin);
+        PairQuery.Run(shape, pose, point, at, ref question, out hit);
     }
 
     /// <summary>Where a point that is cast meets a core.</summary>
@@ -197,17 +198,18 @@ public static partial class ConvexQuery
         {
             hit = new() { Status = frame.IsValid ? CastStatus.Miss : CastStatus.InvalidInput };
             if (!frame.IsValid) return false;
-            if (frame.Translation.LengthSquared > FarOrigin * FarOrigin * frame.RadiusA * frame.RadiusA
-                && frame.RadiusA > 0)
+            double radius = _line.Ball > 0 ? _line.Ball : frame.RadiusA;
+            bool isFar = frame.Translation.LengthSquared > FarOrigin * FarOrigin * radius * radius && radius > 0;
+            if (isFar || _line.Ball > 0)
             {
                 Placement? placed = ShapeTraits<TA>.Of.PlacementOf(ref a);
                 VectorDD center = placed is null ? a.Center : placed.ExactCenter;
                 LocalRay.MakeFar(poseA, center, _line, out LocalRay ray);
-                _begin = ray.Shift - Anew * frame.RadiusA;
-                if (_begin < 0 || _begin > _line.Reach || ray.Foot.Length > Anew * frame.RadiusA)
+                _begin = ray.Shift - Anew * radius;
+                if (_begin < 0 || _begin > _line.Reach || ray.Foot.Length > Anew * radius)
                     return false;
 
-                frame.Translation = frame.RotationA.InverseRotate(ray.At(-Anew * frame.RadiusA));
+                frame.Translation = frame.RotationA.InverseRotate(ray.At(-Anew * radius));
                 frame.Magnitude = frame.Radius + frame.Margins + frame.Translation.SumOfMagnitudes;
                 (_direction, _length) = (ray.Direction, 1);
             }

@@ -17,7 +17,9 @@ public static partial class ConvexQuery
     /// 0.</param>
     /// <returns>Hit: the last point of the ray that is in the closed shape, as far as <c>RayCast</c> promises it, and
     /// the outward normal there, along which the ray leaves. Miss: the ray has no point in the shape, as <c>RayCast</c>
-    /// says it, or it is still inside where it ends. What is as thin as nothing is left where it is met.</returns>
+    /// says it, or it is still inside where it ends. What is as thin as nothing is left where it is met. A ray that
+    /// slides or leaves from an origin on the surface, which <c>RayCast</c> passes, ends on the surface, at its origin
+    /// or further on, or has no end, as of a half-space.</returns>
     /// <remarks>The line is followed backwards from beyond the shape, so entry and exit are found by one
     /// code.</remarks>
     public static RayCastResult RayExit<T>(
@@ -52,14 +54,14 @@ public static partial class ConvexQuery
     private static void ComeBack<T>(ref T shape, in RigidPose pose, in WorldRay line, ref RayMeeting hit)
         where T : struct, ISupportMap
     {
-        double radius = shape.BoundingRadius + shape.Margin;
         double entry = hit.Status == CastStatus.Hit ? hit.Distance : 0;
         Placement? placed = ShapeTraits<T>.Of.PlacementOf(ref shape);
         VectorDD center = placed is null ? shape.Center : placed.ExactCenter;
         LocalRay.MakeFar(pose, center, line, out LocalRay ray);
+        double radius = ReachAlong(ref shape, pose, ray);
         double far = ray.Shift + WayBack * radius;
         Double3 beyond = (Double3)VectorDD.Place(pose, center) + ray.At(WayBack * radius);
-        var back = new WorldRay(beyond, -line.Direction, line.Length, double.PositiveInfinity);
+        var back = new WorldRay(beyond, -line.Direction, line.Length, double.PositiveInfinity, radius);
         CastRay(ref shape, pose, back, out RayMeeting end);
         bool isFound = end.Status == CastStatus.Hit;
         hit.Distance = isFound ? Math.Max(far - end.Distance, entry) : entry;
@@ -67,6 +69,18 @@ public static partial class ConvexQuery
         else if (entry == 0) hit.Normal = line.Direction * (1 / line.Length);
         hit.Iterations = end.Iterations;
         hit.Status = end.Status == CastStatus.IterationLimit ? end.Status : CastStatus.Hit;
+    }
+
+    /// <summary>The radius of a ball about the centre that holds what a line crosses of a shape. The bounding radius
+    /// may be so generous that doubles of its size round the shape away.</summary>
+    private static double ReachAlong<T>(ref T shape, in RigidPose pose, in LocalRay ray)
+        where T : struct, ISupportMap
+    {
+        Double3 along = new RotationD(pose.Rotation).InverseRotate(ray.Direction);
+        shape.Support(along, out Double3 last);
+        shape.Support(-along, out Double3 first);
+        double most = Math.Max(Double3.Dot(last, along), -Double3.Dot(first, along));
+        return Math.Min(most + ray.Foot.Length, shape.BoundingRadius) + shape.Margin;
     }
 
     /// <summary>A half-space is left where the half-space on its other side is entered.</summary>

@@ -132,7 +132,7 @@ public sealed partial class CollisionScene
         _phase.CollectInBox(Widened(new ShapeBounds(shape).BoxAt(pose), distance), _near);
         int kept = 0;
         for (int i = 0; i < _near.Count; i++)
-            if (_objects.IsSeen(_near[i], filter)) _near[kept++] = _near[i];
+            if (!_objects.AreEndless(shape, _near[i]) && _objects.IsSeen(_near[i], filter)) _near[kept++] = _near[i];
         _near.RemoveRange(kept, _near.Count - kept);
         guest = _objects.Invite(shape, pose);
     }

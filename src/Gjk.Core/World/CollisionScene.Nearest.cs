@@ -135,6 +135,6 @@ internal struct NearestSearch
         if (isBetter) (Best, Nearest) = (slot, found);
     }
 
-    private readonly bool IsAsked(int slot) =>
-        _self < 0 ? _objects.IsSeen(slot, _filter) : slot != _self && _objects.AreTested(_self, slot);
+    private readonly bool IsAsked(int slot) => !_objects.AreEndless(_shape, slot)
+        && (_self < 0 ? _objects.IsSeen(slot, _filter) : slot != _self && _objects.AreTested(_self, slot));
 }

@@ -104,6 +104,10 @@ internal sealed class SceneObjects
     /// <summary>Whether the objects in two slots are tested against each other.</summary>
     public bool AreTested(int a, int b) => AreAllTested || ObjectSettings.AreTested(Settings[a], Settings[b]);
 
+    /// <summary>Whether a shape and the object in a slot are two half-spaces, which have no distance.</summary>
+    public bool AreEndless(in ConvexShape shape, int slot) =>
+        shape.Kind == ShapeKind.HalfSpace && Shapes[slot].Kind == ShapeKind.HalfSpace;
+
     /// <summary>The ids of a pair of slots.</summary>
     public ObjectPair IdsOf(ObjectPair slots) => new(Ids[slots.A], Ids[slots.B]);
 

@@ -105,4 +105,24 @@ public class HalfSpaceRefusalTests
         Assert.Equal(name, refused.ParamName);
         Assert.StartsWith(message, refused.Message);
     }
+
+    /// <summary>Two half-spaces have no distance, so neither is near the other, and what is near is found.</summary>
+    [Fact]
+    public void AHalfSpaceIsNotNearAnother()
+    {
+        var scene = new CollisionScene();
+        int wall = scene.Add(ConvexShape.HalfSpace(Vector3.UnitX, -6), RigidPose.Identity);
+        Assert.False(scene.TryFindNearest(Floor, RigidPose.Identity, out PairDistance nearest));
+        Assert.Equal(-1, nearest.Pair.B);
+        int ball = scene.Add(ConvexShape.Sphere(1), new RigidPose(new Vector3(0, 5, 0)));
+        Assert.True(scene.TryFindNearest(Floor, RigidPose.Identity, out nearest));
+        Assert.Equal(ball, nearest.Pair.B);
+        Assert.True(scene.TryFindNearest(scene.Add(Floor, RigidPose.Identity), out nearest));
+        Assert.Equal(ball, nearest.Pair.B);
+        var found = new List<PairDistance>();
+        scene.FindDistances(Floor, RigidPose.Identity, float.PositiveInfinity, found);
+        Assert.Equal([ball], found.Select(p => p.Pair.B));
+        scene.FindDistances(ConvexShape.Sphere(1), RigidPose.Identity, float.PositiveInfinity, found);
+        Assert.Contains(wall, found.Select(p => p.Pair.B));
+    }
 }

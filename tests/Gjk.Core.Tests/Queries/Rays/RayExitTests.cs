@@ -57,6 +57,15 @@ public class RayExitTests
         Assert.Equal(-Vector3.UnitY, r.Normal);
     }
 
+    [Fact]
+    public void FromTheSurfaceARayEndsAtOnce()
+    {
+        RayCastResult r = ConvexQuery.RayExit(new BoxShape(Vector3.One), Here, Vector3.UnitX, Vector3.UnitX);
+        Assert.Equal((CastStatus.Hit, 0f, Vector3.UnitX), (r.Status, r.Distance, r.Normal));
+        ConvexShape floor = ConvexShape.HalfSpace(Vector3.UnitX, 1);
+        Assert.Equal(CastStatus.Miss, ConvexQuery.RayExit(floor, Here, Vector3.UnitX, Vector3.UnitX).Status);
+    }
+
     [Theory]
     [InlineData(3, -1, 2.5f)]
     [InlineData(3, 1, float.NaN)]
@@ -107,6 +116,29 @@ public class RayExitTests
         Assert.InRange(ends, 40, int.MaxValue);
     }
 
+    /// <summary>What a ball holds may be a speck in it, and the next float may lie beyond the shape.</summary>
+    [Theory]
+    [InlineData(1, 0)]
+    [InlineData(1e12, 0)]
+    [InlineData(1e16, 0)]
+    [InlineData(1e100, 0)]
+    [InlineData(1, 1e9f)]
+    [InlineData(1e16, 1e9f)]
+    public void NeitherAGenerousRadiusNorAFarPlaceMatters(double radius, float place)
+    {
+        var pose = new RigidPose(new Vector3(place, place, 0));
+        RayCastResult r = ConvexQuery.RayExit(new Generous(radius), pose, pose.Position, Vector3.UnitX);
+        Assert.Equal((CastStatus.Hit, 0.25f, Vector3.UnitX), (r.Status, r.Distance, r.Normal));
+    }
+
+    /// <summary>Nothing is thrown where what is beyond the shape is no float.</summary>
+    [Fact]
+    public void TheLargestBallIsLeft()
+    {
+        RayCastResult r = ConvexQuery.RayExit(ConvexShape.Sphere(2e38f), Here, Vector3.Zero, Vector3.UnitX);
+        Assert.Equal((CastStatus.Hit, 2e38f), (r.Status, r.Distance));
+    }
+
     [Fact]
     public void NothingIsAllocated()
     {
@@ -117,5 +149,23 @@ public class RayExitTests
             ConvexQuery.RayExit(custom, Here, new Vector3(0.1f, 0.2f, 5), -Vector3.UnitZ);
             ConvexQuery.RayExit(hull, Here, new Vector3(0.1f, 0.2f, 5), -Vector3.UnitZ);
         }));
+    }
+
+    /// <summary>A small cube that claims to need much room.</summary>
+    private readonly struct Generous(double radius) : ISupportMap
+    {
+        private static readonly BoxShape Box = new(new Vector3(0.25f));
+
+        public Double3 Center => default;
+
+        public double Margin => 0;
+
+        public double BoundingRadius => radius;
+
+        public int Support(in Double3 direction, out Double3 point) => Box.Support(direction, out point);
+
+        public void GetFace(in Double3 direction, ref FaceCorners corners) => Box.GetFace(direction, ref corners);
+
+        public bool TryGetVertex(int id, out Double3 point) => Box.TryGetVertex(id, out point);
     }
 }
