@@ -20,7 +20,7 @@ public class CountedStatementTests
     public void TheExampleHasEveryConvexShape()
     {
         string format = Page.Read("docs/scene-format.md");
-        Assert.Matches(@"a sample with every\s+convex shape that ends\]\(example\.scene\.json\)", format);
+        Assert.Matches(@"a sample\s+with\s+every\s+convex\s+shape\s+that\s+ends\]\(example\.scene\.json\)", format);
         string shapes = format[format.IndexOf("## The shapes", StringComparison.Ordinal)..];
         string[] types = [.. Regex.Matches(shapes, @"^\| `(\w+)` \|", RegexOptions.Multiline)
             .Select(m => m.Groups[1].Value).Except(["surface", "compound", "halfspace"])];

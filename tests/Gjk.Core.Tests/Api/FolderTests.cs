@@ -83,7 +83,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Hulls/Building"] = 831,
         ["Hulls/Lookup"] = 878,
         ["Minkowski"] = 348,
-        ["Queries"] = 1865,
+        ["Queries"] = 1868,
         ["Queries/Rays"] = 575,
         ["Shapes"] = 977,
         ["Simplex"] = 897,
