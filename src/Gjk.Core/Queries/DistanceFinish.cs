@@ -36,9 +36,9 @@ internal static class DistanceFinish
         if (isTouching && !isSigned)
         {
             double core = frame.Margins > 0 ? state.Feature.Height * scale / frame.Margins : 0;
-            onA.Plus(toA, -(core * frame.MarginA), out onA);
-            onB.Plus(toAInB, core * frame.MarginB, out onB);
-            Common(state, frame, poseA, poseB, onA, onB, out result);
+            onA.Plus(toA, -(core * frame.MarginA), out Xyz commonA);
+            onB.Plus(toAInB, core * frame.MarginB, out Xyz commonB);
+            Common(state, frame, poseA, poseB, commonA, commonB, out result);
             return;
         }
 
@@ -133,7 +133,7 @@ internal static class DistanceFinish
         Common(state, frame, poseA, poseB, onA, onB, out result);
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(Jit.Step)]
     private static void OutOfCores(in PairFrame frame, ref Xyz localA, ref Xyz localB)
     {
         localA = frame.OutOfA(localA);
