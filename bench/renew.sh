@@ -4,6 +4,10 @@
 # The files are named after the processor; those of another one go, so that the pages need not choose.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+case ${1:-} in
+  '' | --pages) ;;
+  *) sed -n '2,4s/^# \{0,1\}//p' bench/renew.sh; [[ $1 == -h || $1 == --help ]] || exit 2; exit 0 ;;
+esac
 if [ "${1:-}" != --pages ]; then
   dotnet build -c Release -v quiet --nologo bench
   # A run that breaks off leaves the old figures.
