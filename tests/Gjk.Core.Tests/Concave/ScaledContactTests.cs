@@ -19,7 +19,7 @@ public class ScaledContactTests
     public void OfTwoBodies(int exponent)
     {
         int found = 0;
-        for (int i = 0; i < 120; i++)
+        for (int i = 0; i < Budget.Whole(120); i++)
         {
             var random = new FuzzRandom((ulong)i);
             int kindA = random.Below(6), kindB = random.Below(6);
@@ -38,7 +38,7 @@ public class ScaledContactTests
             found += _contacts.Count;
         }
 
-        Assert.InRange(found, 500, 50000);
+        Assert.InRange(found, Budget.Whole(500), 50000);
     }
 
     [Theory]
