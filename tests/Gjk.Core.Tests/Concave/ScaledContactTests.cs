@@ -38,7 +38,7 @@ public class ScaledContactTests
             found += _contacts.Count;
         }
 
-        Assert.InRange(found, Budget.Whole(500), 50000);
+        Assert.InRange(found, Budget.Whole(450), 50000);
     }
 
     [Theory]
