@@ -17,8 +17,9 @@ public static partial class ConcaveQuery
     /// face takes the contact's place, if the body's furthest point lies behind it and no other contact pushes the two
     /// parts apart. At a convex edge each triangle has the contact; an edge of three triangles or more counts as all of
     /// them show it. An open surface has two sides; a solid pushes outward only. Of parts that overlap each pair has a
-    /// contact, or the push of another one takes it apart. A manifold's first point is its deepest. On a half-space
-    /// each part in reach has its contact.</param>
+    /// contact, or the push of another one takes it apart, but for a few of a solid that is in the other shape at
+    /// several places. A manifold's first point is its deepest. On a half-space each part in reach has its
+    /// contact.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool FindContacts(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,

@@ -3,9 +3,6 @@ namespace Gjk.Core;
 /// <summary>One of a query's two shapes: its parts, their tree and its pose.</summary>
 internal sealed class PartSide
 {
-    /// <summary>Length: beyond all floats.</summary>
-    private const double Endless = 1e39;
-
     private readonly PartTree _single = PartTree.Single();
     private ConvexShape _convex;
 
@@ -56,7 +53,7 @@ internal sealed class PartSide
         Margin = _convex.Margin;
         if (IsEndless)
         {
-            var all = new Double3(Endless, Endless, Endless);
+            var all = new Double3(HalfSpaceCore.Endless, HalfSpaceCore.Endless, HalfSpaceCore.Endless);
             SinglePart.Write(_single, -all, all);
             Tree = _single;
             return true;

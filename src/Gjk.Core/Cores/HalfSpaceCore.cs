@@ -5,6 +5,9 @@ namespace Gjk.Core;
 /// loses no accuracy.</summary>
 internal readonly struct HalfSpaceCore
 {
+    /// <summary>Length: beyond all floats; how far the box about a half-space reaches.</summary>
+    public const double Endless = 1e39;
+
     /// <summary>The outward normal, of any length but 0.</summary>
     public readonly Double3 Normal;
 

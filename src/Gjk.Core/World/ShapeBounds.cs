@@ -20,9 +20,6 @@ public readonly struct ShapeBounds
     /// ShapeBoundsTests.</summary>
     private const double TouchSlack = 5 * GjkTolerances.TouchCurved;
 
-    /// <summary>Length: beyond all floats.</summary>
-    private const double Endless = 1e39;
-
     private readonly Double3 _center;
     private readonly Double3 _half;
     private readonly double _margin;
@@ -38,8 +35,8 @@ public readonly struct ShapeBounds
         if (shape.Kind == ShapeKind.HalfSpace)
         {
             this = default;
-            _half = new Double3(Endless, Endless, Endless);
-            _radius = Endless;
+            _radius = HalfSpaceCore.Endless;
+            _half = new Double3(_radius, _radius, _radius);
             return;
         }
 
