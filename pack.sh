@@ -2,8 +2,8 @@
 # Makes all packages in one folder: Gjk.Core, Gjk.Import and the tool gjk-demo for NuGet, gjk-core for npm, com.gjk.core
 # for Unity. --no-build takes the Release build of the solution that is there. --baseline FOLDER also compares the
 # public surface of the libraries with that of the packages there, those of the last release. Where the commit has no
-# version's tag, the packages for NuGet have a version of their own, after that in Directory.Build.props: NuGet keeps
-# what it has once unpacked, so a second package of one version would never be seen.
+# version's tag, the packages for NuGet and npm have a version of their own, after that in Directory.Build.props: NuGet
+# keeps what it has once unpacked, so a second package of one version would never be seen.
 set -euo pipefail
 usage='usage: pack.sh FOLDER [--no-build] [--baseline FOLDER]'
 target=$(realpath -m "${1:?$usage}")
@@ -64,5 +64,5 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 bash unity/pack.sh "${unity[@]}" --export "$work" > /dev/null
 cp "$work"/*.tgz "$target"
-if command -v npm > /dev/null; then bash src/Gjk.Web/pack-npm.sh "$target"; else echo "no npm: gjk-core is left out" >&2; fi
+if command -v npm > /dev/null; then bash src/Gjk.Web/pack-npm.sh "$target" "$version"; else echo "no npm: gjk-core is left out" >&2; fi
 ls "$target"

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Makes the package for npm in the folder that is given, of the Release build of src/Gjk.Web.
+# Makes the package for npm in the folder that is given, of the Release build of src/Gjk.Web, with the project's version
+# or the one that is given.
 set -euo pipefail
-target=$(realpath -m "${1:?usage: pack-npm.sh FOLDER}")
+target=$(realpath -m "${1:?usage: pack-npm.sh FOLDER [VERSION]}")
+version=${2:-}
 cd "$(dirname "$0")"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -12,6 +14,6 @@ rm -f "$work/runtime/stamp"
 cp ../../LICENSE "$work"
 assemblies=$(cd "$work/runtime" && printf "'%s', " *.dll)
 sed -i "s|__ASSEMBLIES__|[${assemblies%, }]|" "$work/index.js"
-version=$(dotnet msbuild Gjk.Web.csproj -getProperty:Version)
+version=${version:-$(dotnet msbuild Gjk.Web.csproj -getProperty:Version)}
 sed -i "s|\"version\": \"0.0.0\"|\"version\": \"$version\"|" "$work/package.json"
 (cd "$work" && npm pack --silent --pack-destination "$target" > /dev/null)

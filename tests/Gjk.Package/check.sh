@@ -135,7 +135,7 @@ if command -v npm > /dev/null; then
   (
     mkdir "$work/npm" && cd "$work/npm"
     echo '{ "type": "module" }' > package.json
-    npm install --silent --offline --no-audit --no-fund "$work/feed/gjk-core-$version.tgz" || fail "npm install failed"
+    npm install --silent --offline --no-audit --no-fund "$work/feed/gjk-core-$packed.tgz" || fail "npm install failed"
     cp "$root/tests/Gjk.Package/npm.mjs" .
     node npm.mjs || fail "the package for npm does not work"
   )

@@ -24,6 +24,19 @@ const touching = gjk.contacts(box, {}, box, { position: [0.75, 0, 0] });
 assert.equal(touching.points.length, 4);
 assert.ok(touching.points.every((p) => p.gap === -0.25 && Array.isArray(p.point)));
 
+const floor = gjk.halfSpace([0, 2, 0], -1), stick = gjk.segment([0, 0, 0], [0, 1, 0]);
+assert.equal(gjk.distance(floor, {}, stick, { position: [0, 3, 0] }).distance, 3.5);
+assert.equal(gjk.contacts(floor, {}, box, {}).points.length, 4);
+assert.equal(gjk.distance(floor, {}, floor, {}).status, 'InvalidShape');
+const club = gjk.taperedCapsule(0.5, 0.25, 1), tile = gjk.triangle([-9, 0, -9], [9, 0, -9], [0, 0, 9]);
+assert.equal(gjk.distance(club, { position: [0, 2, 0] }, tile, {}).distance, 0.75);
+assert.equal(gjk.distance(gjk.rounded(stick, 0.5), {}, ball, { position: [3, 0.5, 0] }).distance, 1.5);
+assert.throws(() => gjk.halfSpace([0, 0, 0], 1), /^RangeError: normal must not be zero, but is 0,0,0$/);
+assert.throws(() => gjk.rounded({}, 1), /^TypeError: shape must be a shape/);
+
+// Sizes are floats, as in the library: 0.1 is not a double here.
+assert.equal(gjk.distance(gjk.sphere(0.1), {}, gjk.point(), { position: [0.1, 0, 0] }).status, 'Overlapping');
+
 const tetrahedron = gjk.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]);
 const scene = gjk.scene();
 const shapes = [box, tetrahedron, gjk.cone(1, 1), gjk.cylinder(1, 1), gjk.ellipsoid([1, 2, 3]), gjk.point()];

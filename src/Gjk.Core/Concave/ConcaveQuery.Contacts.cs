@@ -8,8 +8,8 @@ public static partial class ConcaveQuery
     /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
-    /// <param name="maxGap">Points and parts further apart are left out, in world units; at least 0, and less counts as
-    /// 0.</param>
+    /// <param name="maxGap">Points and parts further apart are left out, in world units; below 0 counts as 0, and NaN
+    /// is invalid.</param>
     /// <param name="scratch">Memory for the search.</param>
     /// <param name="contacts">Cleared, then the contacts by the numbers of the parts: what
     /// <c>ConvexQuery.Contacts</c> says of two parts no further apart, if both bodies end there. Where a surface, solid

@@ -10,9 +10,9 @@ public static unsafe partial class ConvexQuery
     /// <param name="poseA">Pose of A in the world.</param>
     /// <param name="b">The second shape.</param>
     /// <param name="poseB">Pose of B in the world.</param>
-    /// <param name="maxGap">Points further apart than this are left out, in world units; at least 0, and less or NaN
-    /// counts as 0. A little more than the shapes can move in a frame, or than a body rocks, keeps the corners of one
-    /// that is about to touch.</param>
+    /// <param name="maxGap">Points further apart than this are left out, in world units; below 0 counts as 0, and NaN
+    /// gives <see cref="GjkStatus.InvalidInput"/>. A little more than the shapes can move in a frame, or than a body
+    /// rocks, keeps the corners of one that is about to touch.</param>
     /// <param name="manifold">Gets the points: none when the shapes are further apart than <paramref name="maxGap"/> or
     /// invalid. A face on a face has up to four, an edge on a face two, as have parallel cylinders, or a round side
     /// along an edge, a corner one; where two cross deeper between their ends, a third lies there. They hold a point as
@@ -20,7 +20,7 @@ public static unsafe partial class ConvexQuery
     /// what is shared can (as measured over random faces, and 99 % on the average). Shapes whose face, edge or corner
     /// there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of deepest points. Every
     /// pair of points lies along the manifold's normal.</param>
-    /// <returns>As <c>SignedDistance</c> gives it, bit for bit.</returns>
+    /// <returns>As <c>SignedDistance</c> gives it, bit for bit, if the gap is a number.</returns>
     public static DistanceResult Contacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, out ContactManifold manifold)
         where TA : struct, ISupportMap
@@ -101,11 +101,16 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        float mostGap = maxGap > 0 ? maxGap : 0;
+        float mostGap = maxGap < 0 ? 0 : maxGap;
         var solver = new SignedDistanceSolver<NoPolytopeTrace> { Warm = warm, Plane = plane, PlaneGap = mostGap };
         PairQuery.Run(a, poseA, b, poseB, ref solver, out result);
         manifold.Clear();
-        if (!(result.Distance <= mostGap)) return;
+        if (!(result.Distance <= mostGap))
+        {
+            if (float.IsNaN(maxGap)) result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
+            return;
+        }
+
         manifold.Begin(result.Normal);
         bool isKnown = plane->Normal.LengthSquared > 0;
         if (isKnown && (HalfSpacePair.Is(ref PairQuery.Inward(a)) || HalfSpacePair.Is(ref PairQuery.Inward(b))))

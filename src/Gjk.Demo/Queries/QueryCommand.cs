@@ -27,7 +27,9 @@ internal static class QueryCommand
             (rows, a, b) =>
             {
                 PairDistance answer = Answer(objects[a], objects[b], maxDistance, depth, scratch);
-                if (onlyNear && answer.Result.Status == GjkStatus.BeyondMaxDistance) return;
+                // Two half-spaces have no distance, so they are not near.
+                bool isFar = answer.Result.Status is GjkStatus.BeyondMaxDistance or GjkStatus.InvalidShape;
+                if (onlyNear && isFar) return;
                 CheckStatus verdict = table.IsChecked ? Check(objects[a], objects[b], answer.Result, depth) : default;
                 if (parts) rows.Write(a, b, answer, verdict);
                 else rows.Write(a, b, answer.Result, verdict);

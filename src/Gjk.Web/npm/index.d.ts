@@ -6,7 +6,7 @@ export interface Pose {
   rotation?: readonly [number, number, number, number];
 }
 
-/** A shape about its own origin. Axes of capsules, cylinders and cones are y. */
+/** A shape about its own origin. Axes of capsules, cylinders and cones are y. Sizes are rounded to floats. */
 export interface Shape {
   readonly words: string;
 }
@@ -49,17 +49,26 @@ export interface Scene {
 export interface Gjk {
   point(): Shape;
   sphere(radius: number): Shape;
+  segment(a: Vector, b: Vector): Shape;
+  triangle(a: Vector, b: Vector, c: Vector): Shape;
   capsule(radius: number, halfHeight: number): Shape;
+  /** The hull of two balls at the ends of an axis along y. */
+  taperedCapsule(topRadius: number, bottomRadius: number, halfHeight: number): Shape;
   box(halfExtents: Vector): Shape;
   cylinder(radius: number, halfHeight: number): Shape;
   cone(radius: number, halfHeight: number): Shape;
   ellipsoid(radii: Vector): Shape;
   /** The convex hull of the points. */
   mesh(points: readonly Vector[]): Shape;
+  /** All points x with normal · x at most the offset: without end, so two of them give InvalidShape. */
+  halfSpace(normal: Vector, offset: number): Shape;
+  /** All points at most this far from a shape. */
+  rounded(shape: Shape, radius: number): Shape;
   distance(a: Shape, poseA: Pose, b: Shape, poseB: Pose): Distance;
   depth(a: Shape, poseA: Pose, b: Shape, poseB: Pose): Distance;
   /** When two shapes that move by their velocities over one frame first touch. */
   cast(a: Shape, poseA: Pose, velocityA: Vector, b: Shape, poseB: Pose, velocityB: Vector): Cast;
+  /** Up to four points that are at most maxGap apart; left out, 0. */
   contacts(a: Shape, poseA: Pose, b: Shape, poseB: Pose, maxGap?: number): Contacts;
   scene(): Scene;
 }

@@ -9,12 +9,12 @@ const isFloat = (value) => Number.isFinite(value) && Number.isFinite(Math.fround
 
 function numbers(name, count, values) {
   const list = Array.from(values ?? []);
-  if (list.length === count && list.every(isFloat)) return list;
+  if (list.length === count && list.every(isFloat)) return list.map(Math.fround);
   throw new TypeError(`${name} must be ${count} finite numbers, but is ${values}`);
 }
 
 function number(name, value) {
-  if (isFloat(value)) return value;
+  if (isFloat(value)) return Math.fround(value);
   throw new TypeError(`${name} must be a finite number, but is ${value}`);
 }
 
@@ -23,6 +23,7 @@ function notNegative(name, value) {
   return value;
 }
 
+const vector = (name, values) => numbers(name, 3, values).join(' ');
 const size = (name, value) => notNegative(name, number(name, value));
 const sizes = (name, values) => notNegative(name, numbers(name, 3, values)).join(' ');
 
@@ -81,6 +82,25 @@ class Gjk {
     return this.#shape(`segment 0 ${half} 0 0 ${-half} 0 ${size('radius', radius)}`);
   }
 
+  segment = (a, b) => this.#shape(`segment ${vector('a', a)} ${vector('b', b)} 0`);
+  triangle = (a, b, c) => this.#shape(`triangle ${vector('a', a)} ${vector('b', b)} ${vector('c', c)}`);
+
+  taperedCapsule(topRadius, bottomRadius, halfHeight) {
+    const radii = `${size('topRadius', topRadius)} ${size('bottomRadius', bottomRadius)}`;
+    return this.#shape(`taperedcapsule ${radii} ${size('halfHeight', halfHeight)}`);
+  }
+
+  halfSpace(normal, offset) {
+    const outward = numbers('normal', 3, normal);
+    if (outward.every((x) => x === 0)) throw new RangeError(`normal must not be zero, but is ${normal}`);
+    return this.#shape(`halfspace ${outward.join(' ')} ${number('offset', offset)} 0 0 0 0 0`);
+  }
+
+  rounded(shape, radius) {
+    idOf('shape', shape);
+    return this.#shape(`${shape.words} + ${size('radius', radius)}`);
+  }
+
   box = (halfExtents) => this.#shape(`box ${sizes('halfExtents', halfExtents)}`);
   cylinder = (radius, halfHeight) => this.#standing('cylinder', radius, halfHeight);
   cone = (radius, halfHeight) => this.#standing('cone', radius, halfHeight);
@@ -89,7 +109,7 @@ class Gjk {
   mesh(points) {
     if (!Array.isArray(points) || points.length === 0)
       throw new TypeError(`points must be an array of at least one point, but is ${points}`);
-    const corners = points.flatMap((point, i) => numbers(`points[${i}]`, 3, point)).map(Math.fround);
+    const corners = points.flatMap((point, i) => numbers(`points[${i}]`, 3, point));
     return this.#shape(`mesh ${points.length} ${corners.join(' ')}`);
   }
 

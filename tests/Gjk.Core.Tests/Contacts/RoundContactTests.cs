@@ -125,7 +125,22 @@ public class RoundContactTests
         Assert.Equal(-Depth, m[0].Gap, 1e-6f);
         Assert.Equal(0, OnSlab(ball, new RigidPose(new Vector3(0, 1.1f, 0))).Count);
         Assert.Equal(0, Ask(default, SlabPose, ball, RigidPose.Identity).Count);
-        Assert.Equal(1, OnSlab(ball, new RigidPose(new Vector3(0, 0.99f, 0)), float.NaN).Count);
+        Assert.Equal(1, OnSlab(ball, new RigidPose(new Vector3(0, 0.99f, 0)), -1).Count);
+    }
+
+    [Fact]
+    public void AGapThatIsNoNumberIsInvalidInput()
+    {
+        var ball = ConvexShape.Sphere(1);
+        var warm = default(WarmStart);
+        DistanceResult[] answers =
+        [
+            ConvexQuery.Contacts(Slab, SlabPose, ball, RigidPose.Identity, float.NaN, out ContactManifold cold),
+            ConvexQuery.Contacts(
+                Slab, SlabPose, ball, RigidPose.Identity, ref warm, float.NaN, out ContactManifold warmed),
+        ];
+        Assert.All(answers, answer => Assert.Equal(GjkStatus.InvalidInput, answer.Status));
+        Assert.Equal((0, 0), (cold.Count, warmed.Count));
     }
 
     /// <summary>A disc, whatever it is called, lies on its rim on both sides.</summary>

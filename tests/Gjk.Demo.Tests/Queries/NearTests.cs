@@ -45,6 +45,23 @@ public sealed class NearTests
         Assert.Equal($"gjk-demo: wrote 4 pairs to {target}\n", file.Error);
     }
 
+    /// <summary>Two half-spaces have no distance: the full list says so, that of near pairs leaves them out.</summary>
+    [Fact]
+    public void TwoHalfSpacesAreNotNear()
+    {
+        using var directory = new TempDirectory();
+        string scene = directory.Write("corner.json", """
+            {"version":1,"objects":[
+              {"shape":{"type":"halfspace","normal":[0,1,0],"offset":0}},
+              {"shape":{"type":"halfspace","normal":[1,0,0],"offset":0}},
+              {"shape":{"type":"sphere","radius":0.5},"position":[0.625,3,0]}]}
+            """);
+        Assert.Contains("InvalidShape", DemoRun.Of("query", scene).Out, StringComparison.Ordinal);
+        DemoRun near = DemoRun.Of("query", scene, "--within", "0.25");
+        near.AssertDone();
+        Assert.Equal([(1, 2)], CsvRow.Parse(near.Out).Select(row => (row.A, row.B)));
+    }
+
     [Theory]
     [InlineData(0)]
     [InlineData(0.25f)]
