@@ -37,6 +37,7 @@ public sealed class DynamicAabbTree : IBroadPhase
         _pairs.Reserve(_table.Boxes.Length);
         _table.Add(id, bounds);
         _leaves.Add(id);
+        _pairs.Moved.Add(id);
     }
 
     /// <inheritdoc/>
@@ -45,6 +46,7 @@ public sealed class DynamicAabbTree : IBroadPhase
         _table.Check(id);
         _leaves.Move(id, _table.Boxes[id], bounds);
         _table.Boxes[id] = bounds;
+        _pairs.Moved.Add(id);
     }
 
     /// <inheritdoc/>
@@ -68,13 +70,18 @@ public sealed class DynamicAabbTree : IBroadPhase
     {
         BoundsTable.CheckQuery(margin, pairs);
         PairKeys found = _pairs.Find(margin);
+        bool areMarked = _pairs.KeepMarks(found, margin);
+        bool[] moved = _pairs.Moved.Has;
         for (int i = 0; i < found.Count; i++)
         {
-            int a = PairKeys.First(found.Keys[i]), b = PairKeys.Second(found.Keys[i]);
-            if (BoundsTable.Near(_table.Boxes[a], _table.Boxes[b], margin)) pairs.Add(new ObjectPair(a, b));
+            ref ulong key = ref found.Keys[i];
+            int a = PairKeys.First(key), b = PairKeys.Second(key);
+            if (!areMarked || moved[a] || moved[b])
+                key = PairKeys.Marked(key, BoundsTable.Near(_table.Boxes[a], _table.Boxes[b], margin));
+            if (PairKeys.IsMarked(key)) pairs.Add(new ObjectPair(a, b));
         }
 
-        _pairs.Note(found, pairs.Count);
+        _pairs.Note(found, margin, pairs.Count);
     }
 
     /// <inheritdoc/>

@@ -24,6 +24,14 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
     /// <summary>The objects with new leaves, whose kept pairs are not those of the leaves. Some may have been
     /// removed.</summary>
     public IdSet Unpaired { get; } = new();
+
+    /// <summary>The objects whose boxes are other ones than when pairs were marked.</summary>
+    public IdSet Moved { get; } = new();
+
+    /// <summary>The kept pairs whose boxes are this near are marked, but for those of what has moved; NaN where none
+    /// is.</summary>
+    private float _markedMargin = float.NaN;
+
     private PairKeys _pairs = new();
     private PairKeys _found = new();
 
@@ -52,13 +60,18 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         set => _pairs.Limit = _found.Limit = _begun.Limit = value;
     }
 
-    public void Reserve(int capacity) => Unpaired.Reserve(capacity);
+    public void Reserve(int capacity)
+    {
+        Unpaired.Reserve(capacity);
+        Moved.Reserve(capacity);
+    }
 
     public void Remove() => _anyRemoved = true;
 
     public void Clear()
     {
         Unpaired.Clear();
+        Moved.Clear();
         _isValid = _anyRemoved = false;
         _margin = 0;
         _questionsBelowMargin = _questionsTight = 0;
@@ -79,9 +92,19 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         return TryUpdate() ? _pairs : FindAll(_margin);
     }
 
-    /// <summary>Is told how many of the pairs found were pairs of boxes.</summary>
-    public void Note(PairKeys found, int answer)
+    /// <summary>Whether the pairs found have their marks from the last question; else they lose them.</summary>
+    public bool KeepMarks(PairKeys found, float margin)
     {
+        bool areKept = found == _pairs && margin == _markedMargin;
+        if (!areKept) _markedMargin = float.NaN;
+        return areKept;
+    }
+
+    /// <summary>Is told which of the pairs found are marked now, and how many.</summary>
+    public void Note(PairKeys found, float margin, int answer)
+    {
+        Moved.Clear();
+        _markedMargin = found == _pairs ? margin : float.NaN;
         if (_leastAnswer < 0 || answer <= _leastAnswer || ++_leastAnswerAge > PatienceQuestions)
             (_leastAnswer, _leastAnswerAge) = (answer, 0);
         _lastAnswer = answer;
@@ -113,6 +136,7 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         // A first question may be an unusual one.
         if (_found.Count > PairBudget.Of(table.Count, Math.Max(_leastAnswer, 0))) return _found;
         (_pairs, _found) = (_found, _pairs);
+        _markedMargin = float.NaN;
         _isValid = true;
         _anyRemoved = false;
         Unpaired.Clear();

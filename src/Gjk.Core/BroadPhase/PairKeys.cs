@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>A growable array of pairs, each packed as A in the upper and B in the lower half, so that the order of the
-/// numbers is the order of the pairs.</summary>
+/// <summary>A growable array of pairs, each packed as A in the upper half and B in the lower one, above a bit for a
+/// mark, so that the order of the numbers is the order of the pairs.</summary>
 internal sealed class PairKeys
 {
     /// <summary>Count: buckets up to this length are sorted by insertion.</summary>
@@ -23,13 +23,21 @@ internal sealed class PairKeys
     private int[] _starts = [];
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static ulong Key(int a, int b) => a < b ? (ulong)(uint)a << 32 | (uint)b : (ulong)(uint)b << 32 | (uint)a;
+    public static ulong Key(int a, int b) =>
+        a < b ? (ulong)(uint)a << 32 | (uint)b << 1 : (ulong)(uint)b << 32 | (uint)a << 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int First(ulong key) => (int)(key >> 32);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Second(ulong key) => (int)key;
+    public static int Second(ulong key) => (int)((uint)key >> 1);
+
+    /// <summary>The key with its mark set, or without.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ulong Marked(ulong key, bool mark) => mark ? key | 1 : key & ~1ul;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsMarked(ulong key) => (key & 1) != 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(ulong key)

@@ -58,9 +58,15 @@ internal readonly unsafe ref struct WideDistances(
     private readonly ref bool _answered = ref answered;
     private readonly float _maxDistance = maxDistance;
 
+    /// <summary>Begins cold.</summary>
+    public WideDistances(ref DistanceResult results, ref bool answered, float maxDistance)
+        : this(ref results, ref Unsafe.NullRef<WarmStart>(), ref answered, maxDistance)
+    {
+    }
+
     /// <summary>Begins cold, and asks about all pairs.</summary>
     public WideDistances(ref DistanceResult results, float maxDistance)
-        : this(ref results, ref Unsafe.NullRef<WarmStart>(), ref Unsafe.NullRef<bool>(), maxDistance)
+        : this(ref results, ref Unsafe.NullRef<bool>(), maxDistance)
     {
     }
 
@@ -112,6 +118,8 @@ internal readonly unsafe ref struct WideDistances(
 }
 
 /// <summary>Whether each pair overlaps.</summary>
+/// <param name="results">Where the answers go, one for each pair; what is not <see cref="GjkStatus.None"/> is one
+/// already.</param>
 internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQuestion
 {
     private readonly ref GjkStatus _results = ref results;
@@ -122,6 +130,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
     /// gain from lanes; all others are as fast alone.</summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
+        if (Unsafe.Add(ref _results, pair) != GjkStatus.None) return WideRoute.Answered;
         ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
         if (OverlapSolver.AreBallsApart(ref a, batch.PoseA(pair), ref b, batch.PoseB(pair)))
         {

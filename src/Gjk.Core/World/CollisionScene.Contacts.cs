@@ -14,7 +14,9 @@ public sealed partial class CollisionScene
     /// another one covers. True unless it is set.</summary>
     public bool JoinsStatic { get; set; } = true;
 
-    /// <summary>The gap that the contacts are for.</summary>
+    /// <summary>Which pairs are within the gap that the contacts are for.</summary>
+    private readonly PairAnswers<GjkStatus> _within = new();
+
     private float _contactGap;
 
     /// <summary>The pairs that overlap, touching included, and how deep: with the bits of
@@ -91,18 +93,27 @@ public sealed partial class CollisionScene
     private void CollectTouching(float maxGap, Workers? workers)
     {
         CollectSlots(maxGap, _candidates);
+        PairAnswers<GjkStatus> answers = maxGap > 0 ? _within : _overlaps;
         if (maxGap > 0) DecideWithin(maxGap, workers);
         else DecideOverlaps(workers, asksParts: false);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_overlaps[i] || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);
+        {
+            bool isNear = maxGap > 0
+                ? answers[i] != GjkStatus.BeyondMaxDistance
+                : answers[i] == GjkStatus.Overlapping;
+            if (isNear || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);
+        }
     }
 
     private void DecideWithin(float maxGap, Workers? workers)
     {
-        ReserveOverlaps();
+        Workers.Check(workers);
+        if (maxGap != _contactGap) _within.Forget();
+        _within.Begin(_candidates, _objects.Ids, ref _calls);
         Workers.Run(
-            workers, new SceneWithinJob(_objects, _candidates, _overlaps, maxGap), _candidates.Count,
+            workers, new SceneWithinJob(_objects, _candidates, _within, maxGap), _candidates.Count,
             _objects.Parts.PartLength, CancellationToken.None);
+        _within.Complete();
     }
 }

@@ -8,7 +8,7 @@ public sealed partial class CollisionScene
 
     private readonly List<ObjectPair> _candidates = [];
     private readonly PairWarmStarts _pairWarmStarts = new();
-    private bool[] _overlaps = [];
+    private readonly PairAnswers<GjkStatus> _overlaps = new();
 
     /// <summary>The broad phase alone: the pairs whose bounds overlap, or are within a distance.</summary>
     /// <param name="candidates">Emptied first; then the pairs of ids, sorted.</param>
@@ -53,7 +53,10 @@ public sealed partial class CollisionScene
             _candidates.Add(new ObjectPair(a, b));
         }
 
+        // The candidates may come in any order, so none is looked up, and none is found again.
+        _overlaps.Forget();
         DecideOverlaps(workers);
+        _overlaps.Forget();
         CopyOverlaps(results);
     }
 
@@ -122,23 +125,19 @@ public sealed partial class CollisionScene
 
     private void DecideOverlaps(Workers? workers, bool asksParts = true)
     {
-        ReserveOverlaps();
+        Workers.Check(workers);
+        _overlaps.Begin(_candidates, _objects.Ids, ref _calls);
         Workers.Run(
             workers, new SceneOverlapJob(_objects, _candidates, _overlaps, asksParts), _candidates.Count,
             _objects.Parts.PartLength, CancellationToken.None);
-    }
-
-    private void ReserveOverlaps()
-    {
-        if (_overlaps.Length < _candidates.Count)
-            _overlaps = new bool[BoundsTable.Grown(_overlaps.Length, _candidates.Count)];
+        _overlaps.Complete();
     }
 
     private void CopyOverlaps(List<ObjectPair> results)
     {
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_overlaps[i]) results.Add(_objects.IdsOf(_candidates[i]));
+            if (_overlaps[i] == GjkStatus.Overlapping) results.Add(_objects.IdsOf(_candidates[i]));
     }
 
     private void FindDistances(float distance, Workers? workers)

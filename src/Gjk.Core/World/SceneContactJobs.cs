@@ -1,30 +1,36 @@
 namespace Gjk.Core;
 
-/// <summary>Which of a scene's pairs are no further apart than a gap. Pairs that are not convex are not
-/// asked.</summary>
+/// <summary>Which of a scene's pairs are no further apart than a gap: all but those of which it says
+/// <see cref="GjkStatus.BeyondMaxDistance"/>. Pairs that are not convex are not asked. Pairs at rest keep their
+/// answers, which are what they would get.</summary>
 internal readonly struct SceneWithinJob(
-    SceneObjects objects, List<ObjectPair> pairs, bool[] areWithin, float maxGap) : IPartJob
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap) : IPartJob
 {
     public void Run(int begin, int end)
     {
+        Span<bool> kept = stackalloc bool[end - begin];
+        int last = answers.Seek(begin);
+        for (int i = begin; i < end; i++)
+            kept[i - begin] = objects.Rest(pairs[i], answers.LastCall) && answers.TryKeep(i, ref last);
 #if NET
         if (WideBatch.IsSupported)
         {
             Span<DistanceResult> results = stackalloc DistanceResult[end - begin];
-            var question = new WideDistances(ref results[0], maxGap);
+            var question = new WideDistances(ref results[0], ref kept[0], maxGap);
             new WideBatch(objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin])
                 .Ask(end - begin, ref question);
             for (int i = begin; i < end; i++)
-                areWithin[i] = results[i - begin].Status != GjkStatus.BeyondMaxDistance;
+                if (!kept[i - begin]) answers[i] = results[i - begin].Status;
             return;
         }
 #endif
         for (int i = begin; i < end; i++)
         {
+            if (kept[i - begin]) continue;
             ObjectPair pair = pairs[i];
-            areWithin[i] = ConvexQuery.Distance(
+            answers[i] = ConvexQuery.Distance(
                 objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
-                maxGap).Status != GjkStatus.BeyondMaxDistance;
+                maxGap).Status;
         }
     }
 }

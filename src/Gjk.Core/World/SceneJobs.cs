@@ -1,21 +1,25 @@
 namespace Gjk.Core;
 
-/// <summary>Which of a scene's pairs overlap; those that are not convex may be left out.</summary>
+/// <summary>Which of a scene's pairs overlap; those that are not convex may be left out. Pairs at rest keep their
+/// answers, which are what they would get.</summary>
 internal readonly struct SceneOverlapJob(
-    SceneObjects objects, List<ObjectPair> pairs, bool[] overlaps, bool asksParts) : IPartJob
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, bool asksParts) : IPartJob
 {
+    /// <summary>In place of the answer of a pair that is not convex, until it is asked.</summary>
+    private const GjkStatus NotConvex = GjkStatus.InvalidShape;
+
     public void Run(int begin, int end)
     {
-        Ask(begin, end);
-        if (!objects.Parts.Any || !asksParts) return;
-        ConcaveScratch scratch = objects.Parts.Rent();
+        int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
         {
-            if (objects.Parts.Has(pairs[i]))
-                overlaps[i] = objects.Parts.Distance(pairs[i], 0, scratch).IsOverlapping;
+            bool keeps = objects.Rest(pairs[i], answers.LastCall) && answers.TryKeep(i, ref last);
+            if (keeps && answers[i] != GjkStatus.None) continue;
+            answers[i] = objects.Parts.Has(pairs[i]) ? NotConvex : GjkStatus.None;
         }
 
-        objects.Parts.Return(scratch);
+        Ask(begin, end);
+        if (objects.Parts.Any) AskParts(begin, end);
     }
 
     private void Ask(int begin, int end)
@@ -25,15 +29,14 @@ internal readonly struct SceneOverlapJob(
 #if NET
         if (WideBatch.IsSupported)
         {
-            Span<GjkStatus> statuses = stackalloc GjkStatus[end - begin];
-            var question = new WideOverlaps(ref statuses[0]);
+            var question = new WideOverlaps(ref answers[begin]);
             new WideBatch(shapes, poses, ref CollectionsMarshal.AsSpan(pairs)[begin]).Ask(end - begin, ref question);
-            for (int i = begin; i < end; i++) overlaps[i] = statuses[i - begin] == GjkStatus.Overlapping;
             return;
         }
 #endif
         for (int i = begin; i < end; i++)
         {
+            if (answers[i] != GjkStatus.None) continue;
             ObjectPair pair = pairs[i];
             if (i + Prefetch.PairsAhead < end)
             {
@@ -41,8 +44,20 @@ internal readonly struct SceneOverlapJob(
                 Prefetch.Objects(ref shapes[next], ref poses[next]);
             }
 
-            overlaps[i] = ConvexQuery.Overlaps(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B]);
+            ConvexQuery.Overlaps(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], out answers[i]);
         }
+    }
+
+    private void AskParts(int begin, int end)
+    {
+        ConcaveScratch scratch = objects.Parts.Rent();
+        for (int i = begin; i < end; i++)
+        {
+            if (answers[i] != NotConvex || !objects.Parts.Has(pairs[i])) continue;
+            answers[i] = asksParts ? objects.Parts.Distance(pairs[i], 0, scratch).Result.Status : GjkStatus.None;
+        }
+
+        objects.Parts.Return(scratch);
     }
 }
 

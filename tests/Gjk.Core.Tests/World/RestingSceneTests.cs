@@ -48,6 +48,64 @@ public class RestingSceneTests
         }
     }
 
+    /// <summary>Each finder asks about a pair at rest once, and then about those of what has moved.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.1f)]
+    public void OverlapsAndContactsAskOnlyWhatHasMoved(float gap)
+    {
+        int[] calls = [0];
+        var scene = new CollisionScene();
+        var rng = new Rng(11);
+        for (int i = 0; i < Objects; i++)
+        {
+            var counted = new SupportCounter(Generators.Shape(rng, "hull").Shape, calls);
+            scene.Add(ConvexShape.Custom(counted), Generators.Pose(rng, rng.Vector(-1.5, 1.5)));
+        }
+
+        List<ObjectPair> pairs = [];
+        List<PairContacts> contacts = [];
+        Action[] finders = [() => scene.FindOverlaps(pairs), () => scene.FindContacts(gap, contacts)];
+        foreach (Action find in finders)
+        {
+            calls[0] = 0;
+            find();
+            int all = calls[0];
+            Assert.InRange(all, Objects, int.MaxValue);
+            find();
+            Assert.Equal(all, calls[0]);
+            scene.Move(7, Generators.Pose(rng, default));
+            find();
+            Assert.InRange(calls[0] - all, 1, all / 3);
+        }
+    }
+
+    /// <summary>A search for depths leaves out whether surfaces overlap; a search for overlaps behind it does
+    /// not.</summary>
+    [Fact]
+    public void FindersThatShareAnswersDoNotMissEachOthers()
+    {
+        CollisionScene scene = Made(new Rng(3), BroadPhaseKind.DynamicTree), fresh = Made(new Rng(3), default);
+        foreach (CollisionScene one in new[] { scene, fresh })
+            one.Add(AnyShape.Surface(ConcaveShapes.Grid(4)), RigidPose.Identity);
+        List<ObjectPair> expected = [], found = [];
+        fresh.FindOverlaps(expected);
+        Assert.Contains(expected, pair => pair.B == Objects);
+        for (int i = 0; i < 3; i++)
+        {
+            scene.FindDepths([]);
+            scene.FindContacts(0.05f, []);
+            scene.FindOverlaps(found);
+            Assert.Equal(expected, found);
+            scene.CollectCandidates(found);
+            found.Reverse();
+            List<ObjectPair> reversed = [];
+            scene.FindOverlapsAmong(found, reversed);
+            reversed.Reverse();
+            Assert.Equal(expected, reversed);
+        }
+    }
+
     [Theory]
     [InlineData(BroadPhaseKind.SortAndSweep, 0)]
     [InlineData(BroadPhaseKind.DynamicTree, 2)]

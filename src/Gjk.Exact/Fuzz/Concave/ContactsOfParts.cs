@@ -47,7 +47,7 @@ internal static class ContactsOfParts
             int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
             DistanceResult part = Own(pair, i, gap, out ContactManifold manifold);
             if (manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-                && !IsHeld(pair, found, part.Distance, manifold))
+                && !IsHeld(pair, i, found, part.Distance, manifold))
             {
                 return Say.Line($"the contact of pair {i}, {part}, is lost");
             }
@@ -73,7 +73,7 @@ internal static class ContactsOfParts
         bool isElsewhere = Vector3.Cross(normal, manifold.Normal).Length() <= Straight
             && Math.Abs(one.Result.Distance - part.Distance) > Beside * size;
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
-            && (isElsewhere || !IsHeld(pair, found, part.Distance, manifold)))
+            && (isElsewhere || !IsHeld(pair, i, found, part.Distance, manifold)))
         {
             return Say.Line($"the parts say {part}, {manifold.Count} points");
         }
@@ -109,8 +109,10 @@ internal static class ContactsOfParts
 
     /// <summary>Whether a found contact lifts two parts half the way along their own, or all points of their own are
     /// on or behind its plane, by no more than it pushes the other body out: such a side may be covered. Which side of
-    /// each other two triangles are on that touch in one plane is arbitrary.</summary>
-    private static bool IsHeld(ConcavePair pair, List<PairContacts> found, float own, in ContactManifold contact)
+    /// each other two triangles are on that touch in one plane is arbitrary, as is the side of a plane of two that a
+    /// body leaves by whose centre lies in it.</summary>
+    private static bool IsHeld(
+        ConcavePair pair, int i, List<PairContacts> found, float own, in ContactManifold contact)
     {
         bool isEitherWay = own == 0 && pair.RawA.Triangles is not null && pair.RawB.Triangles is not null;
         foreach (PairContacts one in found)
@@ -118,10 +120,22 @@ internal static class ContactsOfParts
             float along = Vector3.Dot(one.Manifold.Normal, contact.Normal);
             if (isEitherWay) along = Math.Abs(along);
             if (along > Lifting && along * Math.Max(-one.Result.Distance, 0) >= -own / 2) return true;
-            if (Buries(pair, one.Manifold, contact)) return true;
+            if (Buries(pair, one.Manifold, contact) || TakesApart(pair, i, own, one)) return true;
         }
 
         return false;
+    }
+
+    /// <summary>Whether two parts are as far out of each other by the push of a contact, which is as short as their
+    /// own, as by theirs.</summary>
+    private static bool TakesApart(ConcavePair pair, int i, float own, in PairContacts one)
+    {
+        float push = -one.Result.Distance;
+        int a = i / pair.PartsB.Length, b = i % pair.PartsB.Length;
+        double room = Room(pair, one.Manifold[0].PointA);
+        if (!(push > 0 && push <= -own + room)) return false;
+        var pushed = new RigidPose(pair.PoseB.Rotation, pair.PoseB.Position + one.Manifold.Normal * push);
+        return ConvexQuery.SignedDistance(pair.PartsA[a], pair.PoseA, pair.PartsB[b], pushed).Distance >= -room;
     }
 
     private static double Room(ConcavePair pair, in Double3 foot) => Beside * (pair.ScaleOf(0, 0)
