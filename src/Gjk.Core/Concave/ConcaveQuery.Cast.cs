@@ -85,6 +85,7 @@ public static partial class ConcaveQuery
         bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow && all is null
             && !sideA.IsEndless && !sideB.IsEndless;
         if (isAdvanced) PartAdvancement.Run(scratch, a, b);
+        else if (motion == PartMotion.Cast && search.Speed == 0) StillStart.Run(scratch);
         else PartCastSearch.Run(scratch);
         search.AllCasts = null;
         if (all is not null) return default;
@@ -128,11 +129,13 @@ public static partial class ConcaveQuery
 
     /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's
     /// outside: a solid that stands in a floor rises out of it, though its walls, which are all that the floor touches,
-    /// look aside. A way that leads into a solid is followed by the one out of that.</summary>
+    /// look aside. A way that leads into a solid is followed by the one out of that. Of two solids the way over the
+    /// outside is the shorter one already, and what is inside without touching is behind the parts.</summary>
     private static CastResult ShorterWay(ConcaveScratch scratch, in CastResult start)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
-        bool isOfParts = search.PartA >= 0 && search.Cast.Status == CastStatus.OverlappingAtStart
+        bool areSolid = scratch.A.IsSolid && scratch.B.IsSolid;
+        bool isOfParts = !areSolid && search.PartA >= 0 && search.Cast.Status == CastStatus.OverlappingAtStart
             && search.Cast.Depth < start.Depth;
         return isOfParts ? search.Cast : start;
     }

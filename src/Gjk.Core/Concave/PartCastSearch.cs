@@ -213,7 +213,8 @@ internal struct PartCastSearch
             for (int j = firstB; j < endB; j++) Ask(scratch, scratch.A.Tree.Order[i], scratch.B.Tree.Order[j]);
     }
 
-    private void Ask(ConcaveScratch scratch, int partA, int partB)
+    /// <summary>Asks two parts, and keeps their contact if it is the first.</summary>
+    public void Ask(ConcaveScratch scratch, int partA, int partB)
     {
         Asked++;
         ConvexShape roomA = default, roomB = default;

@@ -4,7 +4,8 @@ namespace Gjk.Core;
 /// <remarks>A triangle of a solid has one side. A part of the body whose middle is outside leaves by the depth of the
 /// two parts, where that leads outward: the deepest of them counts, as on a surface. One whose middle is inside leaves
 /// over the face that takes least, of those that it overlaps and the one that is nearest to its middle: it is lifted
-/// across the face's plane. Of several parts of the body the deepest counts.</remarks>
+/// across the face's plane. Of several parts of the body the deepest counts. Of two solids, what is behind that face
+/// without touching it leaves, too, and the shorter way out counts.</remarks>
 internal static class SolidExit
 {
     /// <summary>A cosine: 1e-6, some roundings of a normal; what leads along a face does not lead out of it. Four times
@@ -20,7 +21,7 @@ internal static class SolidExit
         bool isFound = TryFind(scratch, scratch.A, scratch.B, out found);
         if (!TryFind(scratch, scratch.B, scratch.A, out CastHit other)) return isFound;
         other = new CastHit(other.Result.Swapped, other.PartB, other.PartA);
-        if (!isFound || (other.Result.Depth > found.Result.Depth && !scratch.A.IsSolid)) found = other;
+        if (!isFound || other.Result.Depth < found.Result.Depth) found = other;
         return true;
     }
 
@@ -53,6 +54,8 @@ internal static class SolidExit
         }
 
         if (!(best.Depth > 0)) return false;
+        if (inner.IsSolid && pairs.Count > 0)
+            best = best.Longer(Climb(outer, best.Triangle, best.Normal) + Climb(inner, best.Part, -best.Normal));
         found = new CastHit(
             new CastResult(
                 CastStatus.OverlappingAtStart, 0, best.Point, (Vector3)best.Normal, 0, (float)best.Depth),
@@ -131,6 +134,17 @@ internal static class SolidExit
             least = new Exit(lift, outward, shared, triangle, part);
     }
 
+    /// <summary>How much further along a direction than a triangle the solid reaches that it is of: what is behind the
+    /// other one's face leaves as a whole. A triangle that faces the way is that face.</summary>
+    private static double Climb(PartSide side, int triangle, in Double3 along)
+    {
+        Double3 local = new RotationD(side.Pose.Rotation).InverseRotate(along);
+        bool isFace = Double3.Dot(ContactCone.NormalOf(side, triangle), local) > 1 - ContactCone.Slack;
+        return !isFace && MeshClimb.TryFind(side.Mesh!, triangle, local, out int corner)
+            ? Double3.Dot(local, side.Mesh!.GetCorner(corner)) - PlaneProof.ReachOf(side, triangle, local)
+            : 0;
+    }
+
     /// <summary>How far a part, or a whole mesh, reaches along a direction of the world.</summary>
     private static double Reach(PartSide side, int part, in Double3 along, bool isWhole)
     {
@@ -146,5 +160,7 @@ internal static class SolidExit
         public readonly Double3 Normal = normal;
         public readonly Vector3 Point = point;
         public readonly int Triangle = triangle, Part = part;
+
+        public Exit Longer(double by) => new(Depth + by, Normal, Point, Triangle, Part);
     }
 }

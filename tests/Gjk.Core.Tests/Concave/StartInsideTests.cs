@@ -21,6 +21,20 @@ public class StartInsideTests
         Assert.Equal(x < 0 ? 1 : 0, start.PartA);
     }
 
+    /// <summary>The boxes of some thousand pairs of these meet.</summary>
+    [Fact]
+    public void WithoutAMotionOnlyPartsThatTouchAreAsked()
+    {
+        var torus = AnyShape.Solid(ConcaveShapes.Torus(16, 8, 0.4f, 0.2f));
+        var at = new RigidPose(Quaternion.CreateFromYawPitchRoll(0.3f, 0.2f, 0.1f), new Vector3(0.5f, 0.1f, 0.2f));
+        var pairs = new List<PairDistance>();
+        Assert.True(ConcaveQuery.FindPairsWithin(torus, RigidPose.Identity, torus, at, 0, _scratch, pairs));
+        CastHit start = ConcaveQuery.Cast(
+            torus, RigidPose.Identity, Vector3.UnitX, torus, at, Vector3.UnitX, _scratch);
+        Assert.Equal(CastStatus.OverlappingAtStart, start.Status);
+        Assert.Equal(pairs.Count, _scratch.CastSearch.Asked);
+    }
+
     [Fact]
     public void OfFlushBoxesAndSlabsTheDeepestCounts()
     {

@@ -67,14 +67,15 @@ public class UnionSlideTests
     [InlineData("filled T-junctions")]
     [InlineData("tiles")]
     [InlineData("joined boxes")]
+    [InlineData("slab")]
     public void ASolidThatIsDeepSlidesOverSeams(string name)
     {
-        AnyShape floor = Concave.Floors.Named(name);
+        AnyShape floor = name == "slab" ? AnyShape.Solid(Slab) : Concave.Floors.Named(name);
         var scratch = new ConcaveScratch();
         TriangleMesh[] bodies =
         [
             Support.ConcaveShapes.Box(new Vector3(0.5f)), Support.ConcaveShapes.Torus(16, 8, 0.4f, 0.2f),
-            Solids.Named("ball", 0),
+            Solids.Named("ball", 0), Solids.Named("gear", 0),
         ];
         foreach (TriangleMesh mesh in bodies)
         {
@@ -82,8 +83,7 @@ public class UnionSlideTests
             float lowest = -Solids.Lowest(mesh, Quaternion.Identity);
             for (int i = 0; i < 24; i++)
             {
-                float deep = i % 3 == 0 ? 0.002f
-                    : i % 3 == 1 || floor.Kind == AnyShapeKind.Solid ? 0.01f : 0.05f;
+                float deep = i % 3 == 0 ? 0.002f : i % 3 == 1 ? 0.01f : 0.05f;
                 var from = new RigidPose(
                     Quaternion.CreateFromAxisAngle(Vector3.UnitY, 0.3f * i),
                     new Vector3(0.7f + 0.02f * i, lowest - deep, 1.2f + 0.013f * i));
@@ -95,12 +95,40 @@ public class UnionSlideTests
                     floor, RigidPose.Identity, Vector3.Zero, body, from, way, scratch, options: NoDeeper);
                 Assert.True(hit.Status == CastStatus.Miss, $"{mesh.TriangleCount} triangles, {i}, {deep}: {hit}");
                 hit = ConcaveQuery.Cast(
+                    body, from, new Vector3(0.3f, 0.5f, 0.1f), floor, RigidPose.Identity, Vector3.Zero, scratch,
+                    options: NoDeeper);
+                Assert.True(
+                    hit.Status == CastStatus.Miss || floor.Kind != AnyShapeKind.Solid,
+                    $"{mesh.TriangleCount} triangles, {i}, {deep}: out, {hit}");
+                hit = ConcaveQuery.Cast(
                     body, from, new Vector3(0.9f, -0.1f, 0), floor, RigidPose.Identity, Vector3.Zero, scratch,
                     options: NoDeeper);
                 Assert.True(hit.IsHit, $"{mesh.TriangleCount} triangles, {i}, {deep}: down");
             }
         }
     }
+
+    /// <summary>What is lifted out of the floor is not lifted over a kerb that is lower than it is deep.</summary>
+    [Theory]
+    [InlineData("ball")]
+    [InlineData("gear")]
+    [InlineData("ring")]
+    public void ASolidThatIsDeepIsStoppedByAKerb(string name)
+    {
+        TriangleMesh mesh = Solids.Named(name, 0), kerb = Solids.Box(new(2.5f, -0.5f, -1), new(2.6f, 0.03f, 4));
+        var body = AnyShape.Solid(mesh);
+        var floor = AnyShape.Solid(Solids.Joined((Slab, Vector3.Zero), (kerb, Vector3.Zero)));
+        float lowest = -Solids.Lowest(mesh, Quaternion.Identity);
+        foreach (float deep in new[] { 0.01f, 0.05f })
+        {
+            CastHit hit = ConcaveQuery.Cast(
+                floor, RigidPose.Identity, Vector3.Zero, body, new RigidPose(new Vector3(1, lowest - deep, 1)),
+                new Vector3(2, 0, 0), new ConcaveScratch(), options: NoDeeper);
+            Assert.True(hit.IsHit && hit.Result.Fraction > 0.1f && hit.PartA >= Slab.TriangleCount, $"{deep}: {hit}");
+        }
+    }
+
+    private static TriangleMesh Slab { get; } = Solids.Box(new(-1, -1, -1), new(4, 0, 4));
 
     internal static void AddFloor(CollisionScene scene, string floor)
     {

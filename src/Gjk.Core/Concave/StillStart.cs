@@ -1,0 +1,17 @@
+namespace Gjk.Core;
+
+/// <summary>The contact of bodies that do not move: parts that share no point at the start never meet.</summary>
+internal static class StillStart
+{
+    /// <summary>Asks the parts that touch for the search that the scratch holds.</summary>
+    public static void Run(ConcaveScratch scratch)
+    {
+        List<PairDistance> pairs = scratch.Pairs;
+        pairs.Clear();
+        scratch.Search.All = pairs;
+        PartPairSearch.Run(scratch, 0);
+        scratch.Search.All = null;
+        foreach (PairDistance pair in pairs)
+            scratch.CastSearch.Ask(scratch, Math.Max(pair.PartA, 0), Math.Max(pair.PartB, 0));
+    }
+}
