@@ -103,6 +103,7 @@ internal sealed class MutatedBuild
             if (result.Success)
             {
                 Mutants = mutants.Where(m => !_refused.Contains(m.Id)).ToList();
+                RequireAll(changed);
                 File.WriteAllBytes(path, image.ToArray());
                 File.WriteAllLines(_refusedFile, _refused.Select(n => $"{n}").Prepend(_key));
                 return;
@@ -114,6 +115,16 @@ internal sealed class MutatedBuild
             if (_refused.Count == before)
                 throw new InvalidOperationException(string.Join('\n', result.Diagnostics.Take(20)));
         }
+    }
+
+    /// <summary>A mutant that is listed and stands in no source would count as one that no test reaches.</summary>
+    private void RequireAll(IEnumerable<SyntaxTree> changed)
+    {
+        HashSet<int> written = [.. changed.SelectMany(t => t.GetRoot().GetAnnotatedNodes(Schemata.Mark)).SelectMany(
+            n => n.GetAnnotations(Schemata.Mark)).SelectMany(m => m.Data!.Split(',')).Select(Number)];
+        Mutant[] lost = [.. Mutants.Where(m => !written.Contains(m.Id))];
+        if (lost.Length > 0)
+            throw new InvalidOperationException($"{lost.Length} are in no source:\n{string.Join('\n', lost.Take(20))}");
     }
 
     /// <summary>The directives that the project file has for all files.</summary>

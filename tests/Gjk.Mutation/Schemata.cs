@@ -10,9 +10,10 @@ namespace Gjk.Mutation;
 
 /// <summary>Writes all mutants of a file into it at once: each place becomes a choice between its original and its
 /// changes, by a number that is set while the tests run. So one build serves them all.</summary>
-/// <remarks>Only the original carries the mutants of its own parts, or nested places would grow exponentially. What the
-/// compiler refuses (a constant where one must be, a variable that is not always set) is left out: see
-/// <see cref="MutatedBuild"/>.</remarks>
+/// <remarks>Only the original carries the mutants of its own parts, or nested places would grow exponentially. A
+/// condition that declares variables is changed by the operators ^, | and &amp;, of which the original is a part; one
+/// that joins two loses the right one. What the compiler refuses (a constant where one must be, a variable that is not
+/// always set) is left out: see <see cref="MutatedBuild"/>.</remarks>
 internal sealed class Schemata(
     string file, SemanticModel model, bool onlyConstants, HashSet<int> refused, List<Mutant> mutants)
     : CSharpSyntaxRewriter
@@ -99,8 +100,8 @@ internal sealed class Schemata(
             case SyntaxKind.GreaterThanOrEqualExpression: changes.Add((edge, $"{l} > {r}")); break;
             case SyntaxKind.EqualsExpression: changes.Add(("negate", $"{l} != {r}")); break;
             case SyntaxKind.NotEqualsExpression: changes.Add(("negate", $"{l} == {r}")); break;
-            case SyntaxKind.LogicalAndExpression: changes.Add(("logic", $"({l}) || ({r})")); break;
-            case SyntaxKind.LogicalOrExpression: changes.Add(("logic", $"({l}) && ({r})")); break;
+            case SyntaxKind.LogicalAndExpression: changes.Add(("logic", Declares(node) ? l : $"({l}) || ({r})")); break;
+            case SyntaxKind.LogicalOrExpression: changes.Add(("logic", Declares(node) ? l : $"({l}) && ({r})")); break;
             case SyntaxKind.BitwiseAndExpression: changes.Add(("logic", $"({l}) | ({r})")); break;
             case SyntaxKind.BitwiseOrExpression: changes.Add(("logic", $"({l}) & ({r})")); break;
             case SyntaxKind.AddExpression: changes.Add(("arithmetic", $"({l}) - ({r})")); break;
@@ -115,9 +116,9 @@ internal sealed class Schemata(
 
     public override SyntaxNode? VisitPrefixUnaryExpression(PrefixUnaryExpressionSyntax node)
     {
+        if (node.Operand is LiteralExpressionSyntax) return node;
         var original = (ExpressionSyntax)base.VisitPrefixUnaryExpression(node)!;
         if (node.Kind() is not (SyntaxKind.UnaryMinusExpression or SyntaxKind.LogicalNotExpression)) return original;
-        if (node.Operand is LiteralExpressionSyntax) return node;
         return Choice(node, original, [("sign", node.Operand.ToString())]);
     }
 
@@ -203,9 +204,7 @@ internal sealed class Schemata(
         if (onlyConstants) return now;
         int number = Add("negate", node, node.ToString(), $"!({node})", []);
         if (refused.Contains(number)) return now;
-        ExpressionSyntax flip = BinaryExpression(
-            SyntaxKind.ExclusiveOrExpression, ParenthesizedExpression(now), ParseExpression(Is(number)));
-        return Marked(ParenthesizedExpression(flip), [number]);
+        return Marked(Joined(SyntaxKind.ExclusiveOrExpression, now, Is(number)), [number]);
     }
 
     private ExpressionSyntax Choice(
@@ -214,18 +213,42 @@ internal sealed class Schemata(
         if (onlyConstants) return original;
         var numbers = new List<int>();
         ExpressionSyntax choice = original.WithoutTrivia();
+        bool declares = Declares(node);
         foreach ((string kind, string changed) in changes)
         {
             int number = Add(kind, node, node.ToString(), changed, []);
-            if (refused.Contains(number) || Declares(node)) continue;
+            ExpressionSyntax? next = declares
+                ? InPlace(kind, changed, choice, number)
+                : ConditionalExpression(ParseExpression(Is(number)), ParseExpression(changed), choice);
+            if (next is null) refused.Add(number);
+            if (refused.Contains(number)) continue;
             numbers.Add(number);
-            choice = ConditionalExpression(
-                ParseExpression(Is(number)), ParseExpression(changed), choice);
+            choice = next!;
         }
 
         if (numbers.Count == 0) return original;
         return Marked(ParenthesizedExpression(choice).WithTriviaFrom(original), numbers);
     }
+
+    /// <summary>The change of a condition that declares variables, which a second copy would declare again; null where
+    /// there is none.</summary>
+    private static ExpressionSyntax? InPlace(string kind, string changed, ExpressionSyntax now, int number) =>
+        (kind, now) switch
+        {
+            ("logic", BinaryExpressionSyntax both) => both.WithRight(
+                Forced(both.Right, both.IsKind(SyntaxKind.LogicalAndExpression), number)),
+            ("answer", _) => Forced(now, changed == "true", number),
+            ("negate", _) or ("sign", PrefixUnaryExpressionSyntax { RawKind: (int)SyntaxKind.LogicalNotExpression }) =>
+                Joined(SyntaxKind.ExclusiveOrExpression, now, Is(number)),
+            _ => null,
+        };
+
+    private static ExpressionSyntax Forced(ExpressionSyntax now, bool value, int number) => value
+        ? Joined(SyntaxKind.BitwiseOrExpression, now, Is(number))
+        : Joined(SyntaxKind.BitwiseAndExpression, now, "!" + Is(number));
+
+    private static ExpressionSyntax Joined(SyntaxKind kind, ExpressionSyntax now, string with) =>
+        ParenthesizedExpression(BinaryExpression(kind, ParenthesizedExpression(now), ParseExpression(with)));
 
     private int Add(string kind, SyntaxNode node, string original, string changed, string[] pins)
     {

@@ -48,6 +48,27 @@ public class RepositoryTests
             solution.Contains($"\"{p}\"") || runs.Contains(p[..p.LastIndexOf('/')]), p));
     }
 
+    /// <summary>The steps of tests/long.sh that run the long counts: those of namespaces, that of what they leave, and
+    /// those of projects.</summary>
+    [Fact]
+    public void TheLongCountsLeaveNoTestOut()
+    {
+        string script = Read("tests/long.sh");
+        string[] List(string name) => Regex.Match(script, $"(?m)^{name}='([^']*)'").Groups[1].Value.Split(' ');
+        string[] steps = [.. Regex.Matches(script, "(?m)^counts-([A-Za-z]+) ").Select(m => m.Groups[1].Value)];
+        Assert.Equal(new[] { "netstandard", "others", "rest" }.Union(List("shares")).Order(), steps.Order());
+        string[] spaces = [.. GetType().Assembly.GetTypes().Select(t => t.Namespace + ".").Distinct()];
+        Assert.All(List("shares"), s => Assert.Contains(spaces, n => n.StartsWith($"Gjk.Core.Tests.{s}.")));
+
+        int start = script.IndexOf("run_step()", StringComparison.Ordinal);
+        string runs = script[start..] + string.Join(' ', List("others"));
+        string[] projects = [.. Tracked("*.csproj").Where(p => Regex.IsMatch(
+            File.ReadAllText(p), @"<IsTestProject>true|Gjk\.Core\.Tests\.props"))];
+        Assert.True(projects.Length > 6, $"{projects.Length} projects");
+        Assert.All(projects.Select(p => Path.GetFileNameWithoutExtension(p)!), p => Assert.Matches(
+            $@"\b{Regex.Escape(p)}(?=\s|$)", runs));
+    }
+
     [UnsupportedOSPlatform("windows")]
     private static void CanBeStarted(string script) =>
         Assert.True((File.GetUnixFileMode(script) & UnixFileMode.UserExecute) != 0, script);

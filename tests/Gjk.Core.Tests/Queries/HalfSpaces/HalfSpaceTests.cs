@@ -20,7 +20,7 @@ public class HalfSpaceTests
     [MemberData(nameof(Polytopes))]
     public void TheDistanceIsTheExactOne(string kind)
     {
-        for (ulong seed = 1; seed <= 400; seed++)
+        for (ulong seed = 1; seed <= (ulong)Budget.Whole(400); seed++)
         {
             var rng = new Rng(seed);
             HalfSpaceSetup s = HalfSpaceSetup.Random(rng, kind);
