@@ -59,6 +59,20 @@ public readonly struct AnyShape
     /// <summary>How many parts it has: triangles, convex parts, or 1.</summary>
     public int PartCount => Mesh?.TriangleCount ?? Compound?.PartCount ?? (Kind == AnyShapeKind.Convex ? 1 : 0);
 
+    /// <summary>Volume, mass, centre of mass and inertia, as the convex shape, the solid mesh or the compound gives
+    /// them.</summary>
+    /// <param name="density">Mass in a unit of volume; at least 0 and finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The density is negative, NaN or infinite.</exception>
+    /// <exception cref="InvalidOperationException">This is a surface, a <c>default</c> struct, or what
+    /// <see cref="ConvexShape.GetMassProperties"/> refuses.</exception>
+    public MassProperties GetMassProperties(float density = 1) => Kind switch
+    {
+        AnyShapeKind.Solid => Mesh!.GetMassProperties(density),
+        AnyShapeKind.Compound => Compound!.GetMassProperties(density),
+        AnyShapeKind.Surface => throw new InvalidOperationException("A surface has no mass; make a solid of the mesh."),
+        _ => _convex.GetMassProperties(density),
+    };
+
     /// <summary>The convex shape, without a copy.</summary>
     internal static ref readonly ConvexShape ConvexOf(in AnyShape shape) => ref shape._convex;
 }

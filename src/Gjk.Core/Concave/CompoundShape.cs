@@ -56,6 +56,19 @@ public sealed class CompoundShape
         return new CompoundShape(Array.ConvertAll(_parts, part => part.Scaled(scale)));
     }
 
+    /// <summary>Volume, mass, centre of mass and inertia: the sum of the parts, so that what lies in two of them counts
+    /// twice.</summary>
+    /// <param name="density">Mass in a unit of volume, of all parts; at least 0 and finite.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The density is negative, NaN or infinite.</exception>
+    /// <exception cref="InvalidOperationException">A part has none; see
+    /// <see cref="ConvexShape.GetMassProperties"/>.</exception>
+    public MassProperties GetMassProperties(float density = 1)
+    {
+        MassProperties all = _parts[0].GetMassProperties(density);
+        for (int i = 1; i < _parts.Length; i++) all += _parts[i].GetMassProperties(density);
+        return all;
+    }
+
     /// <summary>The parts as a tree is built of them.</summary>
     internal IPartSource Source => new PartSource(this);
 

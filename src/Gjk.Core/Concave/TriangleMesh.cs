@@ -111,6 +111,29 @@ public sealed partial class TriangleMesh
         return new TriangleMesh(_list, _topology, Guard.Scale(Scale * scale, nameof(scale)));
     }
 
+    /// <summary>Volume, mass, centre of mass and inertia of the solid inside, in the mesh's frame, to a few roundings
+    /// of double however far it lies from the origin.</summary>
+    /// <param name="density">Mass in a unit of volume; at least 0 and finite.</param>
+    /// <returns>The same whichever way the triangles are turned. What pieces enclose together counts once for each of
+    /// them; a cavity, whose triangles are turned the other way, does not count. Time is in proportion to the
+    /// triangles; keep the result.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The density is negative, NaN or infinite.</exception>
+    /// <exception cref="InvalidOperationException">The mesh has no inside; the message names an edge.</exception>
+    public MassProperties GetMassProperties(float density = 1)
+    {
+        Guard.NonNegative(density, nameof(density));
+        if (!HasInside) throw new InvalidOperationException(WhyNoInside);
+        var sum = new TetrahedronSum(Tree.Origin);
+        for (int i = 0; i < TriangleCount; i++)
+        {
+            GetCorners(i, out Double3 a, out Double3 b, out Double3 c);
+            if (OutwardOf(i) > 0) sum.Add(a, b, c);
+            else sum.Add(a, c, b);
+        }
+
+        return sum.ToMass().Times(density);
+    }
+
     /// <summary>A vertex in the local frame, before the scale.</summary>
     /// <param name="index">From 0 to <see cref="VertexCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such vertex.</exception>

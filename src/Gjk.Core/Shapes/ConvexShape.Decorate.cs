@@ -83,6 +83,11 @@ public readonly partial struct ConvexShape
         return new(this, new Placement(pose, _parts.Placement, _center));
     }
 
+    /// <summary>The same shape with its y axis along z, as FCL, coal, Drake and MuJoCo have their cylinders, capsules
+    /// and cones: what lies along x, y and z comes to lie along y, z and x. That turn is exact.</summary>
+    /// <exception cref="InvalidOperationException">This is a <c>default</c> struct.</exception>
+    public ConvexShape AlongZ() => Placed(new RigidPose(new Quaternion(0.5f, 0.5f, 0.5f, 0.5f), Vector3.Zero));
+
     private void CheckIsShape()
     {
         if (_parts.Kind == ShapeKind.None)

@@ -17,6 +17,27 @@ public class PlacedTests
     public static TheoryData<string> Families => ["everyday", "align", "touch", "parallel", "uneven"];
 
     [Fact]
+    public void AlongZIsATurnThatRoundsNothing()
+    {
+        ConvexShape cone = ConvexShape.Cone(0.7f, 1.3f), alongZ = cone.AlongZ();
+        Assert.Equal(cone.Placed(new RigidPose(new Quaternion(0.5f, 0.5f, 0.5f, 0.5f), default)), alongZ);
+        alongZ.Support(new Double3(0, 0, 1), out Double3 tip);
+        Assert.Equal(new Double3(0, 0, 1.3f), tip);
+        ConvexShape box = ConvexShape.Box(new Vector3(1, 2, 3)), turned = box.AlongZ();
+        turned.Support(new Double3(1, 1, 1), out Double3 corner);
+        Assert.Equal(new Double3(3, 1, 2), corner);
+
+        // The same pair with y for z, z for x and x for y.
+        var at = new RigidPose(new Vector3(2.1f, 0.3f, 1.7f));
+        var upright = new RigidPose(new Vector3(0.3f, 1.7f, 2.1f));
+        DistanceResult one = ConvexQuery.Distance(alongZ, RigidPose.Identity, ConvexShape.Sphere(0.4f), at);
+        DistanceResult other = ConvexQuery.Distance(cone, RigidPose.Identity, ConvexShape.Sphere(0.4f), upright);
+        Assert.Equal(GjkStatus.Separated, one.Status);
+        Assert.Equal(other.Distance, one.Distance);
+        Assert.Throws<InvalidOperationException>(() => default(ConvexShape).AlongZ());
+    }
+
+    [Fact]
     public void FactorsMultiplyWhateverTheKind()
     {
         Vector3 first = new(2, 0.5f, -4), second = new(0.25f, -3, 0.5f), both = first * second;

@@ -1,0 +1,140 @@
+using Gjk.Core.Tests.Support;
+using static Gjk.Core.Tests.Support.SameMass;
+
+namespace Gjk.Core.Tests.Shapes;
+
+/// <summary>Mass, centre and inertia in closed form: against polyhedra with many corners, and against each other where
+/// two forms meet.</summary>
+public class MassFormTests
+{
+    private static readonly RigidPose Pose =
+        new(Quaternion.Normalize(new Quaternion(0.2f, -0.5f, 0.4f, 0.7f)), new Vector3(3, -7, 5));
+
+    private static readonly Vector3 Uneven = new(0.7f, -1.9f, 1.3f);
+
+    [Theory]
+    [InlineData("sphere")]
+    [InlineData("ellipsoid")]
+    [InlineData("cylinder")]
+    [InlineData("cone")]
+    [InlineData("capsule")]
+    [InlineData("tapered")]
+    [InlineData("taperedDown")]
+    [InlineData("held")]
+    [InlineData("box")]
+    [InlineData("roundedBox")]
+    [InlineData("roundedTapered")]
+    [InlineData("leaningCapsule")]
+    public void RoundShapesAreWhatTheirCornersMake(string kind)
+    {
+        ConvexShape plain = kind switch
+        {
+            "sphere" => ConvexShape.Sphere(0.7f),
+            "ellipsoid" => ConvexShape.Ellipsoid(new Vector3(0.5f, 1.5f, 0.9f)),
+            "cylinder" => ConvexShape.Cylinder(0.7f, 1.2f),
+            "cone" => ConvexShape.Cone(0.7f, 1.2f),
+            "capsule" => ConvexShape.Capsule(0.7f, 1.2f),
+            "tapered" => ConvexShape.TaperedCapsule(0.3f, 0.9f, 0.8f),
+            "taperedDown" => ConvexShape.TaperedCapsule(0.9f, 0, 0.6f),
+            "held" => ConvexShape.TaperedCapsule(0.9f, 0.1f, 0.2f),
+            "box" => ConvexShape.Box(new Vector3(0.5f, 1.5f, 0.9f)),
+            "roundedBox" => ConvexShape.Box(new Vector3(0.5f, 0.1f, 0.9f)).Rounded(0.3f),
+            "roundedTapered" => ConvexShape.TaperedCapsule(0.3f, 0.9f, 0.8f).Scaled(new Vector3(0.5f)).Rounded(0.25f),
+            _ => ConvexShape.Segment(new Vector3(1, 2, 3), new Vector3(1.5f, 0.5f, 3.5f)).Rounded(0.4f),
+        };
+        Vector3[] corners = Corners(plain), turned = [.. corners.Select(p => Pose.TransformPoint(p))];
+        foreach ((ConvexShape shape, Vector3[] cloud) in new[]
+            {
+                (plain, corners), (plain.Placed(Pose), turned), (plain.Scaled(Uneven), [.. corners.Select(Stretched)]),
+                (plain.Placed(Pose).Scaled(Uneven).Placed(Pose),
+                    [.. turned.Select(p => Pose.TransformPoint(Stretched(p)))]),
+            })
+        {
+            ExactMass cut = ExactOf(new ConvexHull(cloud));
+            MassProperties found = shape.GetMassProperties();
+            double size = found.InertiaDiagonal.Length;
+            Assert.InRange(cut.Volume / found.Volume, 0.997, 1 + 1e-6);
+            Assert.True((cut.Center - found.Center).Length < 2e-3, $"{cut.Center} {found.Center}");
+            Assert.True((cut.Diagonal - found.InertiaDiagonal).Length < 5e-3 * size, $"{found.InertiaDiagonal}");
+            Assert.True((cut.Products - found.InertiaProducts).Length < 2e-3 * size, $"{found.InertiaProducts}");
+        }
+    }
+
+    /// <summary>Two closed forms of one body: a mistake in a coefficient that corners would not show.</summary>
+    [Fact]
+    public void FormsAgreeWhereTheyMeet()
+    {
+        ConvexShape capsule = ConvexShape.Capsule(0.7f, 1.2f), sphere = ConvexShape.Sphere(0.7f);
+        Near(capsule, ConvexShape.TaperedCapsule(0.7f, 0.7f, 1.2f));
+        Near(capsule, ConvexShape.Box(new Vector3(0, 1.2f, 0)).Rounded(0.7f));
+        Near(capsule, ConvexShape.Segment(new Vector3(0, -1.2f, 0), new Vector3(0, 1.2f, 0)).Rounded(0.7f));
+        Near(sphere, ConvexShape.Box(default).Rounded(0.7f));
+        Near(sphere, ConvexShape.Ellipsoid(new Vector3(0.7f)));
+        Near(sphere, ConvexShape.Capsule(0.7f, 0));
+        Near(sphere, ConvexShape.Point().Rounded(0.7f));
+        var half = new Vector3(0.5f, 1.5f, 0.9f);
+        Near(ConvexShape.Box(half), ConvexShape.Mesh(Clouds.Box(half)));
+        ConvexShape thinner = ConvexShape.TaperedCapsule(0.125f, 0.75f, 0.75f);
+        Near(ConvexShape.TaperedCapsule(0.25f, 0.875f, 0.75f), thinner.Rounded(0.125f));
+        Near(thinner.Scaled(new Vector3(2)).Rounded(0.25f), ConvexShape.TaperedCapsule(0.5f, 1.75f, 1.5f));
+        Near(
+            ConvexShape.TaperedCapsule(0.3f, 0.9f, 0.8f),
+            ConvexShape.TaperedCapsule(0.9f, 0.3f, 0.8f).Scaled(new Vector3(1, -1, 1)));
+
+        // A ball that all but holds the other, from both sides of the border.
+        Near(ConvexShape.TaperedCapsule(2, 1, 0.5f), ConvexShape.TaperedCapsule(2, 1, MathF.BitIncrement(0.5f)), 1e-6);
+    }
+
+    [Fact]
+    public void AShapeThatIsPlacedTurnsItsInertia()
+    {
+        ConvexShape shape = ConvexShape.Cone(0.7f, 1.2f);
+        MassProperties one = shape.GetMassProperties(3).At(Pose), other = shape.Placed(Pose).GetMassProperties(3);
+        Near(one, other, 1e-15);
+        Assert.NotEqual(0, one.InertiaProducts.X);
+        MassProperties far = shape.Placed(new RigidPose(new Vector3(1e6f, 0, 0))).GetMassProperties();
+        Assert.Equal(shape.GetMassProperties().InertiaDiagonal, far.InertiaDiagonal);
+
+        // A turn by a third that takes y to z: the entries change places, to the last bit.
+        MassProperties flat = ConvexShape.Cone(0.7f, 1.2f).Placed(
+            new RigidPose(new Quaternion(0.5f, 0.5f, 0.5f, 0.5f), default)).GetMassProperties();
+        Assert.Equal(flat.InertiaDiagonal, shape.AlongZ().GetMassProperties().InertiaDiagonal);
+        Double3 upright = shape.GetMassProperties().InertiaDiagonal;
+        Assert.Equal(new Double3(upright.Z, upright.X, upright.Y), flat.InertiaDiagonal);
+    }
+
+    [Fact]
+    public void APowerOfTwoChangesNoDigit()
+    {
+        ConvexShape[] shapes = [ConvexShape.Cone(0.7f, 1.2f), ConvexShape.TaperedCapsule(0.3f, 0.9f, 0.8f)];
+        foreach (ConvexShape shape in shapes)
+        {
+            MassProperties plain = shape.GetMassProperties();
+            foreach (int power in new[] { -60, 60 })
+            {
+                MassProperties found = shape.Scaled(new Vector3(MathF.ScaleB(1, power))).GetMassProperties();
+                Assert.Equal(Math.ScaleB(plain.Volume, 3 * power), found.Volume);
+                Assert.Equal(plain.InertiaDiagonal * Math.ScaleB(1, 5 * power), found.InertiaDiagonal);
+            }
+        }
+    }
+
+    private static Vector3 Stretched(Vector3 p) => p * Uneven;
+
+    /// <summary>Points on a shape where its supports are, in directions spread evenly (a spiral of the golden
+    /// angle).</summary>
+    private static Vector3[] Corners(ConvexShape shape)
+    {
+        const int Count = 8000;
+        var points = new Vector3[Count];
+        for (int i = 0; i < Count; i++)
+        {
+            double y = 1 - (2 * i + 1.0) / Count, radius = Math.Sqrt(1 - y * y), angle = i * 2.399963229728653;
+            var direction = new Double3(radius * Math.Cos(angle), y, radius * Math.Sin(angle));
+            shape.Support(direction, out Double3 point);
+            points[i] = (Vector3)(shape.Center + point + direction * shape.Margin);
+        }
+
+        return points;
+    }
+}
