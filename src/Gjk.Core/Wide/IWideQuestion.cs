@@ -7,6 +7,9 @@ internal unsafe interface IWideQuestion
     /// <summary>How far apart shapes may be before the walk may end early.</summary>
     double Reach { get; }
 
+    /// <summary>Whether a pair has its answer, and is not to be asked.</summary>
+    bool IsAnswered(int pair);
+
     /// <summary>Answers a pair that needs no walk, or says how it is to be asked.</summary>
     WideRoute Route(in WideBatch batch, int pair);
 
@@ -74,10 +77,11 @@ internal readonly unsafe ref struct WideDistances(
 
     private bool IsCold => Unsafe.IsNullRef(ref _starts);
 
+    public bool IsAnswered(int pair) => !Unsafe.IsNullRef(ref _answered) && Unsafe.Add(ref _answered, pair);
+
     /// <summary>What no query has stored is for the query alone.</summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
-        if (!Unsafe.IsNullRef(ref _answered) && Unsafe.Add(ref _answered, pair)) return WideRoute.Answered;
         int count = IsCold ? 0 : Unsafe.Add(ref _starts, pair).Count;
         if (count == 0) return WideRoute.Cold;
         if (count == WideWarmStart.MostVertices) return WideRoute.Inside;
@@ -126,11 +130,12 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
 
     public double Reach => ProvedDistance.ShapeReach(0);
 
+    public bool IsAnswered(int pair) => Unsafe.Add(ref _results, pair) != GjkStatus.None;
+
     /// <summary>Balls that are apart need no walk (<c>OverlapSolver.AreBallsApart</c>). Boxes and shapes with margins
     /// gain from lanes; all others are as fast alone.</summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
-        if (Unsafe.Add(ref _results, pair) != GjkStatus.None) return WideRoute.Answered;
         ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
         if (OverlapSolver.AreBallsApart(ref a, batch.PoseA(pair), ref b, batch.PoseB(pair)))
         {

@@ -152,8 +152,8 @@ internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] 
         for (int i = 0; i < count; i++)
         {
             int ahead = i + Prefetch.PairsAhead;
-            if (ahead < count) Prefetch.Objects(ref ShapeB(ahead), ref PoseB(ahead));
-            int kind = KindOf(i, question.Route(this, i));
+            if (ahead < count && !question.IsAnswered(ahead)) Prefetch.Objects(ref ShapeB(ahead), ref PoseB(ahead));
+            int kind = question.IsAnswered(i) ? Answered : KindOf(i, question.Route(this, i));
             kinds[i] = (byte)kind;
             if (kind != Answered) starts[kind + 1]++;
         }

@@ -10,8 +10,14 @@ internal readonly struct SceneWithinJob(
     {
         Span<bool> kept = stackalloc bool[end - begin];
         int last = answers.Seek(begin);
+        bool anyAsked = false;
         for (int i = begin; i < end; i++)
+        {
             kept[i - begin] = objects.Rest(pairs[i], answers.LastCall) && answers.TryKeep(i, ref last);
+            anyAsked |= !kept[i - begin];
+        }
+
+        if (!anyAsked) return;
 #if NET
         if (WideBatch.IsSupported)
         {

@@ -11,13 +11,16 @@ internal readonly struct SceneOverlapJob(
     public void Run(int begin, int end)
     {
         int last = answers.Seek(begin);
+        bool anyAsked = false;
         for (int i = begin; i < end; i++)
         {
             bool keeps = objects.Rest(pairs[i], answers.LastCall) && answers.TryKeep(i, ref last);
             if (keeps && answers[i] != GjkStatus.None) continue;
             answers[i] = objects.Parts.Has(pairs[i]) ? NotConvex : GjkStatus.None;
+            anyAsked = true;
         }
 
+        if (!anyAsked) return;
         Ask(begin, end);
         if (objects.Parts.Any) AskParts(begin, end);
     }
