@@ -204,7 +204,9 @@ internal static class ContactPush
         if (own + ((Double3)by).Length < MuchLess * own) return false;
         var moved = new RigidPose(poseB.Rotation, poseB.Position + by);
         float left = ConvexQuery.SignedDistance(a, poseA, b, moved).Distance;
-        return left >= 0 || left > MuchLess * own;
+
+        // What only touches is not apart while it slides.
+        return own < 0 ? left >= 0 || left > MuchLess * own : left > 0;
     }
 
     /// <summary>Whether a point of a face's contact is still over the triangle and behind it after a push.</summary>

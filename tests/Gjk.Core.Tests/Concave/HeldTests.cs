@@ -125,6 +125,26 @@ public class HeldTests
         return new RigidPose(high.Rotation, high.Position - new Vector3(0, 4 * hit.Fraction + depth, 0));
     }
 
+    /// <summary>A push along a wall that is only touched does not take the body away from it. The box has its middle in
+    /// a floor, leaves one fin at its side and one at its middle, and touches a wall with its back.</summary>
+    [Fact]
+    public void AWallThatIsOnlyTouchedKeepsItsContact()
+    {
+        var mesh = new TriangleMesh(
+            [
+                new(0.5f, 0, 0), new(0.5f, 0.25f, 0.3f), new(0.5f, 0, 0.3f),
+                new(0.75f, 0, 0), new(0.75f, 0.25f, 0.3f), new(0.75f, 0, 0.3f), new(1, 0, 0), new(1, 0, 0.3f),
+                new(0, -0.25f, 0), new(1, -0.25f, 0),
+            ],
+            [0, 1, 2, 3, 4, 5, 3, 6, 7, 3, 7, 5, 8, 9, 6]);
+        var box = AnyShape.Of(ConvexShape.Box(new Vector3(0.25f)));
+        var at = new RigidPose(new Quaternion(0, 1, 0, 0), new Vector3(0.75f, 0, 0.25f));
+        AnyShape surface = AnyShape.Surface(mesh);
+        Assert.True(ConcaveQuery.FindContacts(surface, RigidPose.Identity, box, at, 0, _scratch, _contacts));
+        PairContacts wall = Assert.Single(_contacts, one => one.PartA == 4);
+        Assert.Equal((Vector3.UnitZ, 0, 4), (wall.Manifold.Normal, wall.Result.Distance, wall.Manifold.Count));
+    }
+
     private void AssertLifted(string where, float depth)
     {
         float lift = 0;
