@@ -61,5 +61,7 @@ for (const bad of [() => gjk.ellipsoid([0, 1, 1]), () => gjk.cone(0, 0), () => g
 assert.throws(() => gjk.sphere('wide'), /^TypeError: radius must be a finite number, but is wide$/);
 assert.throws(() => gjk.box([1, 2]), /^TypeError: halfExtents must be 3 finite numbers, but is 1,2$/);
 assert.throws(() => gjk.mesh([[0, 0, 0], [1, 0]]), /^TypeError: points\[1\] must be 3 finite numbers, but is 1,0$/);
+assert.throws(
+  () => gjk.distance(box, { rotation: [0, 0, 0, 2] }, ball), /^RangeError: rotation must have length 1, but is 0,0,0,2$/);
 assert.throws(() => gjk.distance(box, ball), /^TypeError: b must be a shape, such as box/);
 assert.throws(() => gjk.distance(box, { position: [0, NaN, 0] }, ball), /^TypeError: position must be 3 finite/);

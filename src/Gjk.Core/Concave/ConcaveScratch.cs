@@ -21,6 +21,9 @@ public sealed class ConcaveScratch
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;
 
+    /// <summary>How many pairs of parts were searched for what a face meets.</summary>
+    internal int Searched;
+
     /// <summary>Another scratch for a thread of its own; this one keeps it.</summary>
     internal ConcaveScratch Rent()
     {

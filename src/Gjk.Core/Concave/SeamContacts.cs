@@ -9,6 +9,10 @@ internal static class SeamContacts
     /// sum of magnitudes, at most the root of 3. CrossingSheetTests has a point that needs some of it.</summary>
     private const double Level = 4;
 
+    /// <summary>Ratio to a part's radius: what is beside a triangle by more than that is so in spite of rounding. More
+    /// costs time only; at a quarter, contacts are lost, as FarContactTests shows.</summary>
+    private const double Beside = 1.125;
+
     /// <summary>Finds the contact of two parts, or what may stand for it.</summary>
     /// <param name="scratch">With both sides and all pairs; gets the contacts of faces, and the orphans: pairs that
     /// overlap and have neither, with what would hold them.</param>
@@ -38,6 +42,10 @@ internal static class SeamContacts
             return;
         }
 
+        bool isBeside = IsBeside(a, pair.PartA, fitA, b, shapeB, result)
+            || IsBeside(b, pair.PartB, fitB, a, shapeA, result);
+        if (isBeside) return;
+        scratch.Searched++;
         if (TryConvex(scratch, true, own, pair, normal, fitB, shapeA, contacts)
             || TryConvex(scratch, false, own, pair, normal, fitA, shapeB, contacts))
         {
@@ -211,6 +219,17 @@ internal static class SeamContacts
         }
 
         return ways == 0;
+    }
+
+    /// <summary>Whether a convex part is apart from a triangle and beside what is over or under that, where its surface
+    /// goes on: then neither face meets the other's tip. It is so of most pairs that are far apart.</summary>
+    private static bool IsBeside(
+        PartSide mesh, int triangle, ContactFit fit, PartSide other, in ConvexShape shape, in DistanceResult own)
+    {
+        if (fit != ContactFit.Ghost || other.Mesh is not null || !(own.Distance > 0)) return false;
+        Double3 to = CoveredSides.InWorld(shape.Center, other.Pose) - mesh.Pose.Position;
+        return new TriangleColumn(mesh.Mesh!, triangle, ContactCone.NormalOf(mesh, triangle))
+            .IsBeside(new RotationD(mesh.Pose.Rotation).InverseRotate(to), Beside * shape.BoundingRadius);
     }
 
     /// <summary>A pair of a convex part and a mesh that goes on: the convex part's face is the one to be pushed along,

@@ -21,9 +21,15 @@ internal readonly struct TriangleColumn
     public bool Holds(in Double3 point) =>
         IsInside(_a, _b, point) && IsInside(_b, _c, point) && IsInside(_c, _a, point);
 
-    private bool IsInside(in Double3 from, in Double3 to, in Double3 point)
+    /// <summary>Whether a ball is beside it.</summary>
+    public bool IsBeside(in Double3 middle, double radius) =>
+        !IsInside(_a, _b, middle, radius) || !IsInside(_b, _c, middle, radius) || !IsInside(_c, _a, middle, radius);
+
+    /// <summary>Whether a ball reaches what is inside an edge.</summary>
+    private bool IsInside(in Double3 from, in Double3 to, in Double3 middle, double radius = 0)
     {
         Double3 edge = to - from;
-        return Double3.Dot(Double3.Cross(_face, edge), point - from) >= -ContactCone.Slack * edge.LengthSquared;
+        double room = ContactCone.Slack * edge.LengthSquared + radius * edge.Length;
+        return Double3.Dot(Double3.Cross(_face, edge), middle - from) >= -room;
     }
 }

@@ -58,8 +58,8 @@ public readonly partial struct ConvexShape
     /// <summary>A half-space: all points x with normal · x at most the offset. A floor is
     /// <c>HalfSpace(Vector3.UnitY, 0)</c>.</summary>
     /// <param name="normal">Points out of it; of any length but 0.</param>
-    /// <param name="offset">How far the plane is from the local origin along the normal, in units of its
-    /// length.</param>
+    /// <param name="offset">What normal · x is on the plane, which so is offset / |normal| from the local
+    /// origin.</param>
     /// <returns>A shape without end: <see cref="BoundingRadius"/> is infinite, and it has no support point. Every query
     /// of <see cref="ConvexQuery"/> answers for it and any shape that ends, in closed form; two half-spaces give
     /// <see cref="GjkStatus.InvalidShape"/>. Widened, scaled or placed it is another half-space; inside

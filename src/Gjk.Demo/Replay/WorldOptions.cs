@@ -33,8 +33,8 @@ internal sealed class WorldOptions
         };
         _motion = new("--motion")
         {
-            Description = "Move each object by this many of its sizes per frame (0) and turn it. Find the intersecting "
-                + "pairs of every frame.",
+            Description = "Move each of the report's objects by this many of its sizes per frame (0) and turn it. Find "
+                + "the intersecting pairs of every frame.",
             HelpName = "SPEED",
             CustomParser = r => OptionValue.Parse<double>(
                 r, NumberStyles.Float, s => s is >= 0 and <= MostSpeed,

@@ -1,6 +1,6 @@
 export type Vector = readonly [number, number, number];
 
-/** Where a shape is; left out, it is at the origin, not turned. The quaternion is x, y, z, w. */
+/** Where a shape is; left out, it is at the origin, not turned. The quaternion is x, y, z, w, of length 1. */
 export interface Pose {
   position?: Vector;
   rotation?: readonly [number, number, number, number];
@@ -28,13 +28,16 @@ export interface Cast {
   status: 'Hit' | 'Miss' | 'OverlappingAtStart' | 'IterationLimit' | 'InvalidInput' | 'InvalidShape';
   /** Of the way: 0 to 1. */
   fraction: number;
+  /** Where they touch, and the unit vector from A to B there; NaN after a miss. */
   point: number[];
   normal: number[];
   iterations: number;
 }
 
 export interface Contacts {
+  /** A unit vector from A to B. */
   normal: number[];
+  /** Points on A, and how far B is from each along the normal: negative where they overlap. */
   points: { point: number[]; gap: number }[];
 }
 
@@ -46,6 +49,7 @@ export interface Scene {
   pairsWithin(distance: number): (Distance & { a: number; b: number })[];
 }
 
+/** Every function throws a TypeError where an argument is no number, and a RangeError where it is out of range. */
 export interface Gjk {
   point(): Shape;
   sphere(radius: number): Shape;

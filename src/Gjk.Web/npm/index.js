@@ -4,6 +4,9 @@ import { Engine } from './runtime/engine.js';
 
 const STILL = [0, 0, 0];
 
+/** How far from 1 the length of a quaternion may be, as in the library. */
+const MOST_OFF_UNIT = 0.001;
+
 // The library counts in floats, whose range is smaller than that of JavaScript's numbers.
 const isFloat = (value) => Number.isFinite(value) && Number.isFinite(Math.fround(value));
 
@@ -27,8 +30,14 @@ const vector = (name, values) => numbers(name, 3, values).join(' ');
 const size = (name, value) => notNegative(name, number(name, value));
 const sizes = (name, values) => notNegative(name, numbers(name, 3, values)).join(' ');
 
+function unit(name, quaternion) {
+  const list = numbers(name, 4, quaternion);
+  if (Math.abs(Math.hypot(...list) - 1) <= MOST_OFF_UNIT) return list;
+  throw new RangeError(`${name} must have length 1, but is ${quaternion}`);
+}
+
 const motion = ({ rotation = [0, 0, 0, 1], position = STILL } = {}, velocity = STILL) => [
-  ...numbers('rotation', 4, rotation), ...numbers('position', 3, position), ...numbers('velocity', 3, velocity),
+  ...unit('rotation', rotation), ...numbers('position', 3, position), ...numbers('velocity', 3, velocity),
   ...STILL,
 ];
 

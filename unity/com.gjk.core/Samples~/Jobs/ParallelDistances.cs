@@ -3,6 +3,7 @@ using Gjk.Core;
 using Gjk.Unity;
 using Unity.Jobs;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Gjk.Samples
 {
@@ -31,6 +32,15 @@ namespace Gjk.Samples
 
         private void OnEnable()
         {
+            // The scene names the built-in pipeline's material, which others show in pink.
+            RenderPipelineAsset pipeline = GraphicsSettings.currentRenderPipeline;
+            foreach (Renderer shown in GetComponentsInChildren<Renderer>(true))
+            {
+                if (pipeline == null) continue;
+                Material material = pipeline.defaultMaterial;
+                shown.sharedMaterial = material != null ? material : new Material(pipeline.defaultShader);
+            }
+
             _filters = GetComponentsInChildren<MeshFilter>();
             int count = _filters.Length;
             _posed = new PosedShape[count];

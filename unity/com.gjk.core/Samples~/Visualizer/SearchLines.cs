@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace Gjk.Samples
 {
-    /// <summary>Draws how the solver searches: from A's centre each direction in which it asked for support points, in
-    /// yellow, and about A's position each simplex of A - B, in blue. All is told in A's frame and drawn with A's
+    /// <summary>Draws how the solver searches: from A's position each direction in which it asked for support points,
+    /// in yellow, and about it each simplex of A - B, in blue. All is told in A's frame and drawn with A's
     /// rotation.</summary>
     internal sealed class SearchLines
     {

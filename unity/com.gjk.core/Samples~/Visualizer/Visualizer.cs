@@ -15,7 +15,7 @@ namespace Gjk.Samples
         private bool _showSearch = true;
 
         [SerializeField]
-        [Tooltip("Which pair's search is drawn: the two objects that are nearest to each other, or the n-th pair.")]
+        [Tooltip("Which pair's search is drawn, by its number from 0.")]
         private int _searchedPair;
 
         private readonly SearchLines _lines = new SearchLines();
