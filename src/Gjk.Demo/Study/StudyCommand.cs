@@ -66,7 +66,7 @@ internal static class StudyCommand
             {
                 StudyPlan plan = StudyPlanFile.Load(file, cancel);
                 Write(cancel, (r.GetValue(output),
-                    $"{PlainText.Of(plan.Name)}: {plan.Pairs.Count} pairs, {plan.Views.Count} views, "
+                    $"{PlainText.Of(plan.Name)}: {Count(plan.Pairs.Count, "pair")}, {Count(plan.Views.Count, "view")}, "
                     + $"{StudyPlanFile.TrialsOf(plan)} trials for each person, plan {plan.Id}\n"));
                 return ExitCode.Done;
             }
@@ -76,6 +76,8 @@ internal static class StudyCommand
         });
         return command;
     }
+
+    private static string Count(int count, string word) => count == 1 ? $"1 {word}" : $"{count} {word}s";
 
     private static Command BuildSimulate(CancellationToken cancel)
     {
