@@ -6,9 +6,9 @@ namespace Gjk.Core;
 internal readonly struct SceneWithinJob(
     SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap) : IPartJob
 {
-    public void Run(int begin, int end)
+    public unsafe void Run(int begin, int end)
     {
-        Span<bool> kept = stackalloc bool[end - begin];
+        bool* kept = stackalloc bool[end - begin];
         int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
             kept[i - begin] = objects.Rest(pairs[i], answers.LastCall) && answers.TryKeep(i, ref last);
