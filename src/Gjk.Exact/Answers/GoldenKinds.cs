@@ -16,8 +16,8 @@ internal static class GoldenKinds
         for (int i = 0; i < Count; i++)
         {
             FuzzRandom random = FuzzRandom.ForPair(7, i);
-            var plane = ConvexShape.HalfSpace((Vector3)(random.Direction() * random.Range(0.1, 10)), random.Float(-1, 1));
-            plane = Decorated(random, plane);
+            var normal = (Vector3)(random.Direction() * random.Range(0.1, 10));
+            ConvexShape plane = Decorated(random, ConvexShape.HalfSpace(normal, random.Float(-1, 1)));
             ConvexShape other = AnyKind(random);
             RigidPose pose = Pose(random, 3), otherPose = Pose(random, random.Of(2.0, 10, 1000));
             AddPair(plane, pose, other, otherPose, random, ref hash);

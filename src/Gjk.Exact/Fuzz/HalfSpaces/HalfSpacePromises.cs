@@ -37,7 +37,8 @@ internal static class HalfSpacePromises
 
     private static string? TheSame(HalfSpacePair pair)
     {
-        DistanceResult r = pair.Signed, distance = ConvexQuery.Distance(pair.Plane, pair.PlanePose, pair.Other, pair.Pose);
+        DistanceResult r = pair.Signed;
+        DistanceResult distance = ConvexQuery.Distance(pair.Plane, pair.PlanePose, pair.Other, pair.Pose);
         bool overlaps = ConvexQuery.Overlaps(pair.Plane, pair.PlanePose, pair.Other, pair.Pose);
         if (overlaps != r.IsOverlapping || distance.Status != r.Status || distance.Distance != Math.Max(r.Distance, 0))
             return Say.Line($"{r.Status}, {r.Distance:R}; {distance.Status}, {distance.Distance:R}; {overlaps}");
@@ -59,8 +60,9 @@ internal static class HalfSpacePromises
     {
         for (int i = 0; i < Rays; i++)
         {
-            // From the shape's own place, and along its motion where it has one, so that shrinking keeps the ray.
-            Vector3 origin = pair.Pose.Position + pair.Motion.A * i, direction = i == 1 ? -pair.Motion.B : pair.Motion.B;
+            // From the shape's own place and along its motion, so that shrinking keeps the ray.
+            Vector3 origin = pair.Pose.Position + pair.Motion.A * i;
+            Vector3 direction = i == 1 ? -pair.Motion.B : pair.Motion.B;
             if (direction == default || !float.IsFinite(origin.LengthSquared())) continue;
             RayCastResult r = ConvexQuery.RayCast(pair.Plane, pair.PlanePose, origin, direction);
             double gap = pair.HeightOf(origin), length = ((Double3)direction).Length;
