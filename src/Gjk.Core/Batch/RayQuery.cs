@@ -10,7 +10,8 @@ public readonly struct RayQuery
     /// <summary>Its direction; the length does not matter.</summary>
     public readonly Vector3 Direction;
 
-    /// <summary>World units: how far it reaches; +infinity for all the way.</summary>
+    /// <summary>World units: how far it reaches; +infinity for all the way, and 0 to ask whether the origin is inside a
+    /// shape.</summary>
     public readonly float MaxDistance;
 
     /// <summary>Makes a ray.</summary>

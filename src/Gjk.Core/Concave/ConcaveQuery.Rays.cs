@@ -9,7 +9,7 @@ public static partial class ConcaveQuery
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
     /// <param name="scratch">Memory for the search.</param>
     /// <param name="maxDistance">World units: how far the ray reaches, +infinity for all the way; less than 0 counts as
-    /// 0.</param>
+    /// 0, which asks whether the origin is inside.</param>
     /// <param name="options">Which contacts are passed, of each part; by default none.</param>
     /// <returns>The least distance over all parts, with the result that <c>ConvexQuery.RayCast</c> has for the part; of
     /// equal distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart,
@@ -90,6 +90,46 @@ public static partial class ConcaveQuery
         scratch.CastSearch.All = null;
         InPlaceSort.Sort(hits);
         return true;
+    }
+
+    /// <summary>Where a ray enters and leaves a solid, in turn. Of one that begins inside, the first hit is the way
+    /// out.</summary>
+    /// <param name="solid">A solid.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="origin">Where the ray begins, in the world.</param>
+    /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <param name="hits">Cleared, then one for each crossing, by distance. Its normal looks out of the solid: against
+    /// the ray where that enters, along it where that leaves.</param>
+    /// <param name="maxDistance">As of the first hit; crossings further away are left out.</param>
+    /// <returns>False when the input is invalid, or the shape is no solid.</returns>
+    /// <remarks>A crossing is a place where the winding number changes between 0 and another: it is computed without
+    /// rounding, between each two distances at which triangles are met that differ as floats. So an edge or corner is
+    /// crossed once, one that the ray only touches is not crossed, and the number of crossings of a whole ray is odd if
+    /// the solid contains the origin. A face along which the ray runs counts as inside or as outside, and is crossed
+    /// twice or not. An origin on the surface is where the ray goes from it, and what is thinner than a step of the
+    /// distance's float is passed. Each distance asks once for the winding number, which takes as long as
+    /// <c>Contains</c>.</remarks>
+    public static bool RayCrossings(
+        in AnyShape solid, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
+        List<RayHit> hits, float maxDistance = float.PositiveInfinity)
+    {
+        if (!RayCastAll(solid, pose, origin, direction, scratch, hits)) return false;
+        bool isSolid = scratch.A.IsSolid && !float.IsNaN(maxDistance), isIn = false;
+        int kept = 0;
+        for (int i = -1, next; isSolid && i < hits.Count; i = next)
+        {
+            // The hits at one distance: at first those at the origin, which only say where the ray begins.
+            float distance = i < 0 ? 0 : hits[i].Distance;
+            for (next = i + 1; next < hits.Count && hits[next].Distance == distance;) next++;
+            bool staysIn = next < hits.Count && Containment.HasInside(
+                scratch, scratch.A, origin, direction, 0.5 * ((double)distance + hits[next].Distance));
+            if (i >= 0 && staysIn != isIn && distance <= maxDistance) hits[kept++] = isIn ? hits[i].Exit : hits[i];
+            isIn = staysIn;
+        }
+
+        hits.RemoveRange(kept, hits.Count - kept);
+        return isSolid;
     }
 
     private static bool TryBeginRay(

@@ -31,6 +31,20 @@ internal static class Containment
     public static bool Holds(ConcaveScratch scratch, PartSide outer, in Double3 world) =>
         scratch.Winding.About(outer.Mesh!, ToFrame(outer.Pose, (VectorDD)world)) != 0;
 
+    /// <summary>Whether a solid winds around a point of a ray, which is computed in 106 bits.</summary>
+    /// <param name="scratch">Memory for the search.</param>
+    /// <param name="outer">The solid.</param>
+    /// <param name="origin">Where the ray begins, in the world.</param>
+    /// <param name="direction">Of any length.</param>
+    /// <param name="distance">World units along the ray.</param>
+    public static bool HasInside(
+        ConcaveScratch scratch, PartSide outer, Vector3 origin, Vector3 direction, double distance)
+    {
+        Double3 along = direction;
+        VectorDD point = (Double3)origin + (VectorDD)along * (DoubleDouble)(distance / along.Length);
+        return scratch.Winding.About(outer.Mesh!, ToFrame(outer.Pose, point)) != 0;
+    }
+
     private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved)
     {
         if (!outer.IsSolid || inner.IsEndless) return false;

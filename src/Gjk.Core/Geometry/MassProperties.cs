@@ -42,6 +42,11 @@ public readonly struct MassProperties
     /// the integrals of these products over the mass.</summary>
     public Double3 InertiaProducts => -_products;
 
+    /// <summary>Mass, volume, centre and inertia, for people.</summary>
+    public override string ToString() =>
+        FormattableString.Invariant($"mass {Mass:G6}, volume {Volume:G6}, centre {Center.ToText()}, ")
+        + $"inertia {InertiaDiagonal.ToText()} and {InertiaProducts.ToText()}";
+
     /// <summary>Two bodies as one; what lies in both counts twice. Where neither has a mass, the centre is that of the
     /// first.</summary>
     public static MassProperties operator +(in MassProperties a, in MassProperties b)

@@ -9,7 +9,7 @@ public static partial class ConvexQuery
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
     /// <param name="maxDistance">World units: how far the ray reaches, +infinity for all the way; less than 0 counts as
-    /// 0.</param>
+    /// 0, which asks whether the origin is inside.</param>
     /// <param name="options">Which contacts are passed; by default none. The depth is that of the point.</param>
     /// <returns>The first point of the ray that is in the closed shape, or <see cref="CastStatus.Miss"/>, or
     /// <see cref="CastStatus.OverlappingAtStart"/> where the origin is inside. The distance is the true one, rounded to

@@ -42,6 +42,9 @@ public readonly struct RayCastResult
     /// <summary>By what it is compared with other contacts of the ray.</summary>
     internal ContactOrder Order => new(_solved, Status, Depth);
 
+    /// <summary>The same with the opposite normal.</summary>
+    internal RayCastResult Exit => new(Status, _solved, Point, Opposite.Of(Normal), Iterations, Depth);
+
     /// <summary>True also for a search that ended at its limit, apart up to the distance.</summary>
     internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;
 

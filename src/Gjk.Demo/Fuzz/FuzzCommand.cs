@@ -15,8 +15,8 @@ internal static class FuzzCommand
     public static int Run(FuzzLength length, ulong seed, bool isConcave, CancellationToken cancel)
     {
         IPairSource concave = PairSources.Concave();
-        var run = new FuzzRun(
-            length, seed, isConcave ? concave : new MixedPairs(PairSources.Convex(AllPromises.Make()), concave));
+        var convex = new MixedPairs(PairSources.Convex(AllPromises.Make()), PairSources.HalfSpaces(), place: 3);
+        var run = new FuzzRun(length, seed, isConcave ? concave : new MixedPairs(convex, concave, place: 7));
         BrokenPromise? broken = null;
         ProgressBar.Show(bar => broken = run.Search(bar.Add("pairs"), cancel));
         FuzzReport report = FuzzReport.Of(run, broken, cancel.IsCancellationRequested);

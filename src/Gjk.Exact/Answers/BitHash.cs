@@ -65,6 +65,15 @@ public struct BitHash
         }
     }
 
+    public void Add(in MassProperties mass)
+    {
+        Add(mass.Volume);
+        Add(mass.Mass);
+        Add(mass.Center);
+        Add(mass.InertiaDiagonal);
+        Add(mass.InertiaProducts);
+    }
+
     /// <summary>16 lowercase hexadecimal digits.</summary>
     public override readonly string ToString() => _hash.ToString();
 
@@ -73,6 +82,20 @@ public struct BitHash
         Add(v.X);
         Add(v.Y);
         Add(v.Z);
+    }
+
+    private void Add(in Double3 v)
+    {
+        Add(v.X);
+        Add(v.Y);
+        Add(v.Z);
+    }
+
+    private void Add(double x)
+    {
+        long bits = BitConverter.DoubleToInt64Bits(x);
+        Add((int)(bits >> 32));
+        Add((int)bits);
     }
 
     private unsafe void Add(float x) => _hash.Add(float.IsNaN(x) ? NotANumber : *(uint*)&x);

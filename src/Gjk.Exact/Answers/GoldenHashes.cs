@@ -16,5 +16,7 @@ public static class GoldenHashes
         ["shapes"] = "edd2419b0de180a2",
         ["batches"] = "02cb1d8ad93d25b4",
         ["scenes"] = "554330dcd4bbbe98",
+        ["half-spaces"] = "f78c86a599dec090",
+        ["masses"] = "b84810fe5e25ec8a",
     };
 }

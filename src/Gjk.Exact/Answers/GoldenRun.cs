@@ -37,6 +37,7 @@ public sealed class GoldenRun
     [
         ("distances", Distances), ("depths", Depths), ("contacts", Contacts), ("casts", Casts), ("impacts", Impacts),
         ("rays", Rays), ("shapes", Shapes), ("batches", Batches), ("scenes", SceneRun.Hash),
+        ("half-spaces", GoldenKinds.HalfSpaces), ("masses", GoldenKinds.Masses),
     ];
 
     private BitHash Distances()
@@ -153,7 +154,7 @@ public sealed class GoldenRun
         return hash;
     }
 
-    private static void AddContacts(
+    internal static void AddContacts(
         in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, ref ContactManifold manifold,
         ref BitHash hash)
     {
@@ -162,7 +163,7 @@ public sealed class GoldenRun
         hash.Add(manifold);
     }
 
-    private static void AddRay(in ConvexShape shape, in RigidPose pose, FuzzRandom random, ref BitHash hash)
+    internal static void AddRay(in ConvexShape shape, in RigidPose pose, FuzzRandom random, ref BitHash hash)
     {
         double radius = shape.BoundingRadius > 0 ? shape.BoundingRadius : 1;
         Double3 target = pose.Position + random.Direction() * (radius * random.Unit());

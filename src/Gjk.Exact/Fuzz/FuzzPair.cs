@@ -113,8 +113,16 @@ internal sealed class FuzzPair
     private double CurvedSlack =>
         Accuracy.CurvedRatio * Math.Max(Scale, float.IsFinite(Answer.Distance) ? Answer.Distance : 0);
 
-    public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair) =>
-        FuzzText.TryParse(text, out pair);
+    /// <summary>Reads a record; false for what <see cref="FuzzText.TryRead"/> refuses, and for half-spaces.</summary>
+    public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
+    {
+        pair = null;
+        if (!FuzzText.TryRead(text, out FuzzShape a, out FuzzShape b, out QueryRecord record)) return false;
+        if (a.Kind == ShapeKind.HalfSpace || b.Kind == ShapeKind.HalfSpace) return false;
+        pair = new FuzzPair(a, record.PoseA, b, record.PoseB)
+            .Moving(new PairMotion(record.MotionA.Velocity, record.MotionB.Velocity));
+        return true;
+    }
 
     /// <summary>How far apart the planes across a unit direction of the world stand that touch A and B; negative where
     /// the shapes reach past each other.</summary>

@@ -1,4 +1,3 @@
-using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
 using Gjk.Core;
 using Gjk.Exact.Fuzz.Shrinking;
@@ -26,18 +25,17 @@ internal static class FuzzText
         return (a, ShapeWords.Read(words));
     }
 
-    /// <summary>False for what is no record, for a scale that is not of floats, for rounded or placed shapes, and for
-    /// shapes that turn.</summary>
-    public static bool TryParse(string text, [NotNullWhen(true)] out FuzzPair? pair)
+    /// <summary>The shapes of a record and where they are. False for what is no record, for a scale that is not of
+    /// floats, for rounded or placed shapes, and for shapes that turn.</summary>
+    public static bool TryRead(string text, out FuzzShape shapeA, out FuzzShape shapeB, out QueryRecord record)
     {
-        pair = null;
-        if (!QueryRecord.TryParse(text, out QueryRecord record, out _)) return false;
+        (shapeA, shapeB) = (default, default);
+        if (!QueryRecord.TryParse(text, out record, out _)) return false;
         if (record.A.IsDecorated || record.B.IsDecorated) return false;
         if (record.MotionA.AngularVelocity != default || record.MotionB.AngularVelocity != default) return false;
         (ShapeWords a, ShapeWords b) = Split(text);
         if (!HasFloatScale(a) || !HasFloatScale(b)) return false;
-        pair = new FuzzPair(Shape(record.A, a), record.PoseA, Shape(record.B, b), record.PoseB)
-            .Moving(new PairMotion(record.MotionA.Velocity, record.MotionB.Velocity));
+        (shapeA, shapeB) = (Shape(record.A, a), Shape(record.B, b));
         return true;
     }
 

@@ -1,6 +1,7 @@
 using System.Threading;
 using Gjk.Exact.Fuzz.Concave;
 using Gjk.Exact.Fuzz.Families;
+using Gjk.Exact.Fuzz.HalfSpaces;
 using Gjk.Exact.Fuzz.Promises;
 using Gjk.Exact.Fuzz.Shrinking;
 
@@ -22,6 +23,10 @@ internal static class PairSources
     /// <summary>Pairs of which one is not convex at least.</summary>
     public static IPairSource Concave() => new Drawn<ConcavePair>(
         ConcaveFamilies.Draw, ConcavePromises.All, ConcaveShrinker.Shrink, pair => pair.Text);
+
+    /// <summary>Pairs of which one is a half-space.</summary>
+    public static IPairSource HalfSpaces() => new Drawn<HalfSpacePair>(
+        HalfSpaceFamilies.Draw, HalfSpacePromises.All, HalfSpacePair.Shrink, pair => pair.Text);
 
     private delegate TPair Draw<TPair>(ulong seed, long index, out string family);
 
@@ -46,11 +51,14 @@ internal static class PairSources
     }
 }
 
-/// <summary>Both: so many pairs of the first kind, and then one of the other.</summary>
-internal sealed class MixedPairs(IPairSource many, IPairSource few) : IPairSource
+/// <summary>Both: in each eight pairs one of the second kind, which leaves the others as they are.</summary>
+/// <param name="many">The first kind.</param>
+/// <param name="few">The second kind.</param>
+/// <param name="place">Which of the eight that is, from 0.</param>
+internal sealed class MixedPairs(IPairSource many, IPairSource few, int place) : IPairSource
 {
     private const int Period = 8;
 
     public BrokenPromise? Try(ulong seed, long index, CancellationToken cancel) =>
-        (index % Period == Period - 1 ? few : many).Try(seed, index, cancel);
+        (index % Period == place ? few : many).Try(seed, index, cancel);
 }

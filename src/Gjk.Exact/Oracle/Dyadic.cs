@@ -34,6 +34,14 @@ public static class Dyadic
         return Math.ScaleB((long)top * m.Sign, exponent + excess);
     }
 
+    /// <summary>m / denominator · 2^exponent, to double rounding.</summary>
+    public static double ToDouble(BigInteger m, BigInteger denominator, int exponent)
+    {
+        // The quotient keeps 64 bits or more.
+        int shift = Math.Max(0, 64 + (int)denominator.GetBitLength() - (int)BigInteger.Abs(m).GetBitLength());
+        return ToDouble((m << shift) / denominator, exponent - shift);
+    }
+
     private static void Split(double x, out long mantissa, out int exponent)
     {
         long bits = BitConverter.DoubleToInt64Bits(x);

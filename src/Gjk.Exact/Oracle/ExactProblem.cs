@@ -84,12 +84,7 @@ public sealed class ExactProblem
         return best;
     }
 
-    private double ToDouble(BigInteger numerator)
-    {
-        // The quotient keeps 64 bits or more.
-        int shift = Math.Max(0, 64 + (int)Denominator.GetBitLength() - (int)BigInteger.Abs(numerator).GetBitLength());
-        return Dyadic.ToDouble((numerator << shift) / Denominator, Exponent - shift);
-    }
+    private double ToDouble(BigInteger numerator) => Dyadic.ToDouble(numerator, Denominator, Exponent);
 
     private static int ExponentOf(in Double3 v) =>
         Math.Min(Math.Min(Dyadic.Exponent(v.X), Dyadic.Exponent(v.Y)), Dyadic.Exponent(v.Z));

@@ -12,6 +12,14 @@ public class MassTests
 
     private static readonly Vector3 Uneven = new(0.7f, -1.9f, 1.3f);
 
+    [Fact]
+    public void ItIsASentence()
+    {
+        MassProperties crate = ConvexShape.Box(Vector3.One).Placed(new RigidPose(new Vector3(1, 2, 3)))
+            .GetMassProperties(3);
+        Assert.Equal("mass 24, volume 8, centre <1, 2, 3>, inertia <16, 16, 16> and <0, 0, 0>", crate.ToString());
+    }
+
     [Theory]
     [InlineData(0, 0)]
     [InlineData(0, 1000)]

@@ -4,7 +4,7 @@ namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>How often triangles wind around a point, in integers of any size: slow, and independent of the
 /// library.</summary>
-internal static class ExactWinding
+public static class ExactWinding
 {
     private const int Rays = 20, Reach = 1 << 20;
 

@@ -11,11 +11,23 @@ internal static class Shrinker
     /// at.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
 
-    public static FuzzPair Shrink(FuzzPair pair, Promise<FuzzPair> promise, CancellationToken cancel)
+    public static FuzzPair Shrink(FuzzPair pair, Promise<FuzzPair> promise, CancellationToken cancel) =>
+        Shrink(pair, pair.Text, text => FuzzPair.TryParse(text, out FuzzPair? read) ? read : null, promise, cancel);
+
+    /// <summary>The same for any pair that is one line of text.</summary>
+    /// <param name="pair">The pair.</param>
+    /// <param name="text">It as a record.</param>
+    /// <param name="read">Reads a record; null for what is no such pair.</param>
+    /// <param name="promise">What it breaks.</param>
+    /// <param name="cancel">Ends the search.</param>
+    public static TPair Shrink<TPair>(
+        TPair pair, string text, Func<string, TPair?> read, Promise<TPair> promise, CancellationToken cancel)
+        where TPair : class
     {
-        (ShapeWords a, ShapeWords b) = FuzzText.Split(pair.Text);
+        (ShapeWords a, ShapeWords b) = FuzzText.Split(text);
         long start = Stopwatch.GetTimestamp();
-        bool Breaks(ShapeWords x, ShapeWords y) => IsBroken(FuzzText.Of(x, y), promise);
+        bool Breaks(ShapeWords x, ShapeWords y) =>
+            read(FuzzText.Of(x, y)) is { } simpler && promise.Broken(simpler) is not null;
         for (bool found = true; found && !cancel.IsCancellationRequested && Stopwatch.GetElapsedTime(start) < Patience;)
         {
             found = false;
@@ -23,7 +35,7 @@ internal static class Shrinker
             if (First(SimplerShapes.Of(b), x => Breaks(a, x), start) is { } simplerB) (b, found) = (simplerB, true);
         }
 
-        return FuzzPair.TryParse(FuzzText.Of(a, b), out FuzzPair? shrunk) ? shrunk : pair;
+        return read(FuzzText.Of(a, b)) ?? pair;
     }
 
     private static ShapeWords? First(IEnumerable<ShapeWords> candidates, Func<ShapeWords, bool> breaks, long start)
@@ -36,7 +48,4 @@ internal static class Shrinker
 
         return null;
     }
-
-    private static bool IsBroken(string text, Promise<FuzzPair> promise) =>
-        FuzzPair.TryParse(text, out FuzzPair? pair) && promise.Broken(pair) is not null;
 }
