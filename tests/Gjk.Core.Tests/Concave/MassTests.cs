@@ -1,8 +1,7 @@
-using Gjk.Core.Tests.Concave;
 using Gjk.Core.Tests.Support;
 using static Gjk.Core.Tests.Support.SameMass;
 
-namespace Gjk.Core.Tests.Shapes;
+namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Mass, centre and inertia of polyhedra, against integers; of compounds; and what has none.</summary>
 public class MassTests
