@@ -15,10 +15,10 @@ public struct ContactManifold
     /// <summary>The unit vector in which B leaves A, common to all points; zero when there are none.</summary>
     public Vector3 Normal { get; private set; }
 
-    /// <summary>A point. Those of two convex shapes are in an order of their <see cref="ManifoldPoint.FeatureId"/>s, by
-    /// the lesser half and then by the greater one, so that it stays from frame to frame and hardly changes when A and B
-    /// are exchanged; one of them is the deepest, or as deep to within 1e-6 of the size. Those of parts of other shapes
-    /// have the deepest first. Know a point again by its id, not by its place.</summary>
+    /// <summary>A point. Those of two convex shapes are in an order of their <see cref="ManifoldPoint.FeatureId"/>s,
+    /// by the lesser half and then by the greater one, so that it stays from frame to frame and hardly changes when A
+    /// and B are exchanged; one of them is the deepest, or as deep to within 1e-6 of the size. Those of parts of other
+    /// shapes have the deepest first. Know a point again by its id, not by its place.</summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>
     public readonly ManifoldPoint this[int index]

@@ -58,6 +58,8 @@ public class BuildCostOnMonoTests
         ("ImpactQuestion.*", Answer), ("RayQuestion.TryBegin", Answer), ("MetFeatures.Of", Answer),
         ("Polytope.Grow", "once, in the few searches that outgrow the first room"),
         ("AnyShape.*", Making), ("CompoundShape.*", Making), ("TriangleMesh.GetShape", Part),
+        ("TriangleMesh.GetMassProperties", Making), ("MassProperties.Turned", Making), ("MassForms.*", Making),
+        ("StillStart.Run", Answer),
         ("ConcaveQuery.*", Answer), ("PartQuery.*", Part), ("PartPairSearch.*", Answer), ("PartCastSearch.*", Part),
         ("Containment.*", Answer), ("SolidExit.*", Answer), ("TreeFrame.Compose", Answer),
         ("BoxFit.TryGetSpread", Making), ("TriangleMesh.TryGetOutward", Cover), ("PlaneProof.*", Cover),
