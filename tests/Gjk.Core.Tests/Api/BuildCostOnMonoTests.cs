@@ -82,7 +82,6 @@ public class BuildCostOnMonoTests
         ("SceneObjects.DepthOf", Answer), ("SceneObjects.ContactsOf", Answer),
         ("HalfSpaceMotion.*", State), ("HalfSpacePair.*", Answer), ("MetTogether.*", Contact),
         ("SceneRayJob.Run", State),
-        ("SceneOverlapJob.Run", "once for some dozens of pairs"),
         ("SceneDistanceJob.AskParts", "once for some dozens of pairs"), ("ScenePartQueries.*", Part),
         ("SceneSeams.*", Contact), ("BodyContact.*", Contact), ("GroundCover.*", Cover),
         ("ShapeBounds.BoxAt", "the turned axes, of which each object that moved needs all"),
