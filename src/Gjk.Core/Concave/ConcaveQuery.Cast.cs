@@ -168,39 +168,44 @@ public static partial class ConcaveQuery
         bool isOfParts = search.PartA >= 0 && search.Cast.Status == CastStatus.OverlappingAtStart
             && search.Cast.Depth < start.Result.Depth;
         CastHit way = isOfParts ? new CastHit(search.Cast, search.PartA, search.PartB) : start;
-        if (a.IsSolid) return OffSheet(scratch, a, b, way, way.PartA);
+        if (a.IsSolid) return OffSheet(scratch, a, way.PartA, b, way.PartB, way.Result);
         if (!b.IsSolid) return way.Result;
-        return OffSheet(scratch, b, a, new CastHit(way.Result.Swapped), way.PartB).Swapped;
+        return OffSheet(scratch, b, way.PartB, a, way.PartA, way.Result.Swapped).Swapped;
     }
 
-    /// <summary>The way that takes a solid off an open surface with all of it that hangs together with a triangle: to
-    /// the side that the triangle does not face. What is behind the surface as a whole would meet it again.</summary>
-    /// <param name="scratch">Whose other rented ones are used.</param>
+    /// <summary>The way that takes a solid off the face of an open surface, with all of it that hangs together with a
+    /// triangle, to the nearer side. What is behind the surface as a whole would meet it again.</summary>
+    /// <param name="scratch">Of which another one is rented.</param>
     /// <param name="solid">A.</param>
-    /// <param name="sheet">B; other things are left by the way itself.</param>
-    /// <param name="way">Of the parts that overlap deepest.</param>
     /// <param name="triangle">Of the solid.</param>
+    /// <param name="sheet">B; other things are left by the own way.</param>
+    /// <param name="part">Of the surface.</param>
+    /// <param name="own">The way out of these two.</param>
     private static CastResult OffSheet(
-        ConcaveScratch scratch, PartSide solid, PartSide sheet, in CastHit way, int triangle)
+        ConcaveScratch scratch, PartSide solid, int triangle, PartSide sheet, int part, in CastResult own)
     {
-        CastResult own = way.Result;
-        if (sheet.Mesh is null || triangle < 0
-            || !solid.Mesh!.TryGetOutward(triangle, solid.Pose, out Double3 outward, out _))
+        CastResult best = own;
+        if (sheet.Mesh is null || triangle < 0 || part < 0) return best;
+        Double3 face = new RotationD(sheet.Pose.Rotation).Rotate(ContactCone.NormalOf(sheet, part));
+        if (face.LengthSquared == 0) face = own.Normal;
+        RotationD turn = new(solid.Pose.Rotation);
+        float least = float.PositiveInfinity;
+        for (int i = 0; i < 2; i++, face = -face)
         {
-            return own;
+            if (!MeshClimb.TryFind(solid.Mesh!, triangle, turn.InverseRotate(-face), out int corner)) continue;
+            Double3 tip = CoveredSides.InWorld(solid.Mesh!.GetCorner(corner), solid.Pose);
+            float room = UnionLift.RoundingOf(solid.Pose) + UnionLift.RoundingOf(sheet.Pose);
+            ConcaveScratch other = scratch.Rent();
+            RayHit front = RayCast(
+                AnyShape.Surface(sheet.Mesh), sheet.Pose, (Vector3)(tip - face * room), (Vector3)face, other);
+            scratch.Return(other);
+            float deep = Math.Max(front.Distance - room, 0);
+            if (!front.IsHit || deep >= least) continue;
+            least = deep;
+            best = new CastResult(own.Status, 0, own.Point, (Vector3)(-face), 0, least);
         }
 
-        bool leadsIn = Double3.Dot(outward, own.Normal) < -FaceSearch.Steep;
-        Vector3 off = leadsIn ? Opposite.Of(own.Normal) : own.Normal;
-        Double3 along = new RotationD(solid.Pose.Rotation).InverseRotate(off);
-        if (!MeshClimb.TryFind(solid.Mesh, triangle, along, out int corner)) return own;
-        var tip = (Vector3)CoveredSides.InWorld(solid.Mesh.GetCorner(corner), solid.Pose);
-        ConcaveScratch other = scratch.Rent();
-        RayHit front = RayCast(AnyShape.Surface(sheet.Mesh), sheet.Pose, tip, -off, other);
-        scratch.Return(other);
-        return front.IsHit && (leadsIn || front.Distance > own.Depth)
-            ? new CastResult(own.Status, 0, own.Point, off, 0, front.Distance)
-            : own;
+        return best;
     }
 
     /// <summary>Every pair of parts that meets, or overlaps at the start, as it would without the others.</summary>

@@ -6,7 +6,7 @@ internal ref struct FaceSearch
 {
     /// <summary>Cosine: triangles that are so steep to each other do not tell which side of an open one is meant.
     /// More asks for the tips of both sides, which costs time only.</summary>
-    public const double Steep = 0.1;
+    private const double Steep = 0.1;
 
     /// <summary>Ratio to a depth: points along a face of which the deepest is less deep than the tip by more are not
     /// what the body shows there. At a tenth a rocking body keeps its points.</summary>
