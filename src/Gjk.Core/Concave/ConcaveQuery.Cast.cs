@@ -190,6 +190,7 @@ public static partial class ConcaveQuery
         if (face.LengthSquared == 0) face = own.Normal;
         RotationD turn = new(solid.Pose.Rotation);
         float least = float.PositiveInfinity;
+        int sides = 0;
         for (int i = 0; i < 2; i++, face = -face)
         {
             if (!MeshClimb.TryFind(solid.Mesh!, triangle, turn.InverseRotate(-face), out int corner)) continue;
@@ -199,13 +200,15 @@ public static partial class ConcaveQuery
             RayHit front = RayCast(
                 AnyShape.Surface(sheet.Mesh), sheet.Pose, (Vector3)(tip - face * room), (Vector3)face, other);
             scratch.Return(other);
+            if (front.IsHit) sides++;
             float deep = Math.Max(front.Distance - room, 0);
             if (!front.IsHit || deep >= least) continue;
             least = deep;
             best = new CastResult(own.Status, 0, own.Point, (Vector3)(-face), 0, least);
         }
 
-        return best;
+        // Where the surface has no corner behind it, the other side's says nothing.
+        return sides == 2 || Vector3.Dot(best.Normal, own.Normal) > 0 ? best : own;
     }
 
     /// <summary>Every pair of parts that meets, or overlaps at the start, as it would without the others.</summary>
