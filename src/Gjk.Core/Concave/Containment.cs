@@ -27,6 +27,12 @@ internal static class Containment
     public static bool IsAnyInside(ConcaveScratch scratch, in Double3 moved) =>
         IsAnyInside(scratch, scratch.A, scratch.B, moved) || IsAnyInside(scratch, scratch.B, scratch.A, -moved);
 
+    /// <summary>Whether the middle of a triangle that touches the other's surface is in its inside: a piece with edges
+    /// in a surface may be on both sides of it.</summary>
+    /// <param name="scratch">With both sides set, whose parts may touch.</param>
+    public static bool IsAnyTouchingInside(ConcaveScratch scratch) =>
+        IsAnyTouchingInside(scratch, scratch.A, scratch.B) || IsAnyTouchingInside(scratch, scratch.B, scratch.A);
+
     /// <summary>Whether a point of the world is in a solid, as double has it.</summary>
     public static bool Holds(ConcaveScratch scratch, PartSide outer, in Double3 world) =>
         scratch.Winding.About(outer.Mesh!, ToFrame(outer.Pose, (VectorDD)world)) != 0;
@@ -49,24 +55,43 @@ internal static class Containment
     {
         if (!outer.IsSolid || inner.IsEndless) return false;
         for (int piece = 0; piece < inner.PieceCount; piece++)
+            if (IsInside(scratch, outer, inner, inner.MiddleOf(piece, out _), moved)) return true;
+        return false;
+    }
+
+    private static bool IsAnyTouchingInside(ConcaveScratch scratch, PartSide outer, PartSide inner)
+    {
+        if (!outer.IsSolid || inner.Mesh is null) return false;
+        SolidExit.FindTouching(scratch, outer == scratch.B);
+        int last = PartSide.NoPart;
+        foreach (PairDistance pair in scratch.Pairs)
         {
-            VectorDD world = VectorDD.Place(inner.Pose, inner.MiddleOf(piece, out _)) + (VectorDD)moved;
-            VectorDD local = ToFrame(outer.Pose, world);
-            if (scratch.Winding.About(outer.Mesh!, local) == 0) continue;
-            if (IsOnSurface(scratch, outer, (Vector3)(Double3)local)) continue;
-            return true;
+            if (pair.PartB == last) continue;
+            last = pair.PartB;
+            if (IsInside(scratch, outer, inner, PartSide.MiddleOf(inner.Mesh, last), default)) return true;
         }
 
         return false;
     }
 
-    /// <summary>Whether a point touches a triangle.</summary>
+    /// <summary>Whether a point of the inner's frame is in the outer, and not on its surface.</summary>
+    private static bool IsInside(
+        ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 point, in Double3 moved)
+    {
+        VectorDD local = ToFrame(outer.Pose, VectorDD.Place(inner.Pose, point) + (VectorDD)moved);
+        return scratch.Winding.About(outer.Mesh!, local) != 0
+            && !IsOnSurface(scratch, outer, (Vector3)(Double3)local);
+    }
+
+    /// <summary>Whether a point touches a triangle, but for rounding.</summary>
     private static bool IsOnSurface(ConcaveScratch scratch, PartSide side, Vector3 point)
     {
         ConcaveScratch other = scratch.Rent();
-        bool isOn = ConcaveQuery.Contains(AnyShape.Surface(side.Mesh!), RigidPose.Identity, point, other);
+        double room = ContactCone.Slack * ((Double3)point).SumOfMagnitudes;
+        float distance = ConcaveQuery.Distance(
+            AnyShape.Surface(side.Mesh!), RigidPose.Identity, point, other).Distance;
         scratch.Return(other);
-        return isOn;
+        return distance <= room;
     }
 
     private static bool TryFind(

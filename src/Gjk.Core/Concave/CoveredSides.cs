@@ -22,7 +22,8 @@ internal static class CoveredSides
     /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
     private const double Beyond = 1 / (1 - ContactCone.LeastCosine);
 
-    /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact.</summary>
+    /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact. Pinned by
+    /// SeamContactTests.</summary>
     private const int MostPlanes = 32;
 
     /// <summary>Count: of so many parts each is asked, of more the tree. Others change the time only.</summary>

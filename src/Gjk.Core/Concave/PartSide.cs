@@ -124,7 +124,8 @@ internal sealed class PartSide
         return shape.Center + sum * (1.0 / 6);
     }
 
-    private static Double3 MiddleOf(TriangleMesh mesh, int triangle)
+    /// <summary>The middle of a triangle, as double has it.</summary>
+    public static Double3 MiddleOf(TriangleMesh mesh, int triangle)
     {
         mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
         return TriangleShape.Centroid(a, b, c);

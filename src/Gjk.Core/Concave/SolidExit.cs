@@ -64,7 +64,7 @@ internal static class SolidExit
     }
 
     /// <summary>All pairs that touch, as the triangle of the solid and the part of the other, sorted by that.</summary>
-    private static void FindTouching(ConcaveScratch scratch, bool isSwapped)
+    public static void FindTouching(ConcaveScratch scratch, bool isSwapped)
     {
         List<PairDistance> pairs = scratch.Pairs;
         pairs.Clear();

@@ -26,10 +26,11 @@ internal static class UnionLift
         return true;
     }
 
+    /// <summary>World units: so far a body may be from where it was moved to.</summary>
+    public static float RoundingOf(in RigidPose pose) =>
+        (float)Math.Min(Rounding * ((Double3)pose.Position).SumOfMagnitudes, float.MaxValue);
+
     /// <summary>What is passed from there: also what the rounding of its pose makes.</summary>
-    public static CastOptions OptionsAt(in RigidPose pose, in CastOptions options)
-    {
-        double rounding = Rounding * ((Double3)pose.Position).SumOfMagnitudes;
-        return CastOptions.OnlyDeeper(Math.Max(options.AllowedDepth, (float)Math.Min(rounding, float.MaxValue)));
-    }
+    public static CastOptions OptionsAt(in RigidPose pose, in CastOptions options) =>
+        CastOptions.OnlyDeeper(Math.Max(options.AllowedDepth, RoundingOf(pose)));
 }

@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 119,
         ["Batch"] = 165,
         ["BroadPhase"] = 878,
-        ["Concave"] = 2664,
+        ["Concave"] = 2727,
         ["Concave/Trees"] = 625,
         ["Contacts"] = 966,
         ["Cores"] = 571,

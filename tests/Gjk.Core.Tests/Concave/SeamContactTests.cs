@@ -217,4 +217,19 @@ public class SeamContactTests
         Assert.True((one.Manifold.Normal - up).Length() <= Straight, $"{where}: {one}, but up is {up}");
         Assert.True((one.Result.Normal - up).Length() <= Straight, $"{where}: {one.Result}");
     }
+
+    /// <summary>Each side is looked at behind each plane: without a bound a ball in a round hall takes the square of
+    /// the facets.</summary>
+    [Fact]
+    public void ABoundedNumberOfPlanesIsAsked()
+    {
+        var hall = AnyShape.Surface(Solids.Named("ball", 0));
+        var scratch = new ConcaveScratch();
+        var contacts = new List<PairContacts>();
+        Assert.True(ConcaveQuery.FindContacts(
+            AnyShape.Of(ConvexShape.Sphere(0.75f)), RigidPose.Identity, hall, RigidPose.Identity, 0.1f, scratch,
+            contacts));
+        Assert.True(contacts.Count > 200, $"{contacts.Count}");
+        Assert.InRange(scratch.Planes.Count, 16, 64);
+    }
 }

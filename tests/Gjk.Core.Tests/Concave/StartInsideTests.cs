@@ -96,6 +96,33 @@ public class StartInsideTests
             Start(cube, ConvexShape.Capsule(0.2f, 0.3f), new Vector3(0, 1.45f, 0)), Vector3.UnitY, 0.05f);
     }
 
+    /// <summary>No triangle crosses the floor's top: a ring of the body's vertices lies in it. Which triangle is the
+    /// mesh's first, and where the body goes, does not matter.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.3f)]
+    public void WhatHasARingInTheFaceOfASolidBeginsInIt(float turn)
+    {
+        var floor = AnyShape.Solid(ConcaveShapes.Box(new Vector3(2, 0.5f, 2)));
+        var at = new RigidPose(new Vector3(0, -0.5f, 0));
+        var from = new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitY, turn), new Vector3(0.3f, 0, 0.2f));
+        Vector3[] ways = [Vector3.Zero, new(0.5f, 0, 0), new(0.1f, 0.7f, 0), new(0.1f, -0.7f, 0)];
+        for (int first = 0; first < 20; first++)
+        {
+            var body = AnyShape.Solid(BoxWithARing(first));
+            foreach (Vector3 way in ways)
+            {
+                AssertStart(
+                    ConcaveQuery.Cast(floor, at, Vector3.Zero, body, from, way, _scratch), Vector3.UnitY, 0.5f);
+                AssertStart(
+                    ConcaveQuery.Cast(body, from, way, floor, at, Vector3.Zero, _scratch), -Vector3.UnitY, 0.5f);
+                var above = new RigidPose(from.Rotation, from.Position + new Vector3(0, 0.5f, 0));
+                CastHit rests = ConcaveQuery.Cast(floor, at, Vector3.Zero, body, above, way, _scratch);
+                Assert.NotEqual(CastStatus.OverlappingAtStart, rests.Status);
+            }
+        }
+    }
+
     [Fact]
     public void EveryStartInASolidIsOutAfterAFewWays()
     {
@@ -149,6 +176,21 @@ public class StartInsideTests
         Assert.Empty(hits);
         Assert.True(ConcaveQuery.CastAll(ball, at, up, cube, new RigidPose(up), up, _scratch, hits));
         Assert.Equal(CastStatus.OverlappingAtStart, hits[0].Status);
+    }
+
+    /// <summary>A box with a ring of vertices at half its height, which begins with one of its 20 triangles.</summary>
+    private static TriangleMesh BoxWithARing(int first)
+    {
+        Vector3[] points = [.. Enumerable.Range(0, 12).Select(
+            i => new Vector3(i % 4 is 0 or 3 ? -0.3f : 0.3f, 0.5f * (i / 4 - 1), i % 4 < 2 ? -0.3f : 0.3f))];
+        var indices = new List<int> { 0, 1, 2, 0, 2, 3, 8, 10, 9, 8, 11, 10 };
+        for (int a = 0; a < 8; a++)
+        {
+            int b = a % 4 == 3 ? a - 3 : a + 1;
+            indices.AddRange([a, a + 4, b, b, a + 4, b + 4]);
+        }
+
+        return new TriangleMesh(points, [.. indices.Skip(3 * first), .. indices.Take(3 * first)]);
     }
 
     private CastHit Start(in AnyShape ground, in ConvexShape body, Vector3 at) => ConcaveQuery.Cast(

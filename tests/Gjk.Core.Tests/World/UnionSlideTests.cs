@@ -97,13 +97,57 @@ public class UnionSlideTests
                 hit = ConcaveQuery.Cast(
                     body, from, new Vector3(0.3f, 0.5f, 0.1f), floor, RigidPose.Identity, Vector3.Zero, scratch,
                     options: NoDeeper);
-                Assert.True(
-                    hit.Status == CastStatus.Miss || floor.Kind != AnyShapeKind.Solid,
-                    $"{mesh.TriangleCount} triangles, {i}, {deep}: out, {hit}");
+                Assert.True(hit.Status == CastStatus.Miss, $"{mesh.TriangleCount} triangles, {i}, {deep}: out, {hit}");
+                hit = ConcaveQuery.Cast(
+                    floor, RigidPose.Identity, Vector3.Zero, body, from, new Vector3(0.3f, 0.5f, 0.1f), scratch,
+                    options: NoDeeper);
+                Assert.True(hit.Status == CastStatus.Miss, $"{mesh.TriangleCount} triangles, {i}, {deep}: out, {hit}");
                 hit = ConcaveQuery.Cast(
                     body, from, new Vector3(0.9f, -0.1f, 0), floor, RigidPose.Identity, Vector3.Zero, scratch,
                     options: NoDeeper);
                 Assert.True(hit.IsHit, $"{mesh.TriangleCount} triangles, {i}, {deep}: down");
+            }
+        }
+    }
+
+    /// <summary>Whole rows of the body's triangles are behind the surface, which it leaves freely and does not get
+    /// deeper into, not even by short ways.</summary>
+    [Theory]
+    [InlineData("two triangles", "torus")]
+    [InlineData("two triangles", "ball")]
+    [InlineData("plate", "torus")]
+    [InlineData("plate", "ball")]
+    [InlineData("plate", "gear")]
+    [InlineData("plate", "ring")]
+    public void ASolidThatIsDeepInAnOpenSurfaceLeavesItUpwardsOnly(string floor, string name)
+    {
+        AnyShape sheet = floor == "plate" ? Concave.Floors.Named(floor) : AnyShape.Surface(new TriangleMesh(
+            [new(-5, 0, -5), new(5, 0, -5), new(5, 0, 5), new(-5, 0, 5)], [0, 2, 1, 0, 3, 2]));
+        TriangleMesh mesh = name == "torus"
+            ? Support.ConcaveShapes.Torus(16, 8, 0.4f, 0.2f)
+            : Solids.Named(name, 0);
+        var body = AnyShape.Solid(mesh);
+        var scratch = new ConcaveScratch();
+        var random = new FuzzRandom(77);
+        (Vector3 Way, bool IsHit)[] motions =
+        [
+            (new(0.3f, 0.5f, 0.1f), false), (new(0.9f, 0, 0.1f), false), (new(0.9f, -0.1f, 0), true),
+            (new(0, -0.02f, 0), true), (new(0.05f, -0.02f, 0), true),
+        ];
+        for (int i = 0; i < 24; i++)
+        {
+            Quaternion turn = Rotations.Even(random);
+            float deep = random.Float(0.002f, 0.12f), height = -Solids.Lowest(mesh, turn) - deep;
+            var from = new RigidPose(
+                turn, new Vector3(1.2f + random.Float(-0.2f, 0.2f), height, 1.4f + random.Float(-0.2f, 0.2f)));
+            foreach ((Vector3 way, bool isHit) in motions)
+            {
+                CastHit hit = ConcaveQuery.Cast(
+                    body, from, way, sheet, RigidPose.Identity, Vector3.Zero, scratch, options: NoDeeper);
+                Assert.True(hit.IsHit == isHit, $"{i}, {deep}, {way}: {hit}");
+                hit = ConcaveQuery.Cast(
+                    sheet, RigidPose.Identity, Vector3.Zero, body, from, way, scratch, options: NoDeeper);
+                Assert.True(hit.IsHit == isHit, $"{i}, {deep}, {way}, swapped: {hit}");
             }
         }
     }
