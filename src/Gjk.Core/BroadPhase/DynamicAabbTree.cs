@@ -70,6 +70,26 @@ public sealed class DynamicAabbTree : IBroadPhase
     {
         BoundsTable.CheckQuery(margin, pairs);
         PairKeys found = _pairs.Find(margin);
+
+        // Where most have moved, marks cost more than they spare.
+        bool isMarking = _pairs.Moved.Count <= _table.Count / 2;
+        if (isMarking) CollectMarked(found, margin, pairs);
+        else CollectNear(found, margin, pairs);
+        _pairs.Note(found, isMarking ? margin : float.NaN, pairs.Count);
+    }
+
+    private void CollectNear(PairKeys found, float margin, List<ObjectPair> pairs)
+    {
+        for (int i = 0; i < found.Count; i++)
+        {
+            int a = PairKeys.First(found.Keys[i]), b = PairKeys.Second(found.Keys[i]);
+            if (BoundsTable.Near(_table.Boxes[a], _table.Boxes[b], margin)) pairs.Add(new ObjectPair(a, b));
+        }
+    }
+
+    /// <summary>The same, with a look only at the pairs of what has moved, or that have no marks yet.</summary>
+    private void CollectMarked(PairKeys found, float margin, List<ObjectPair> pairs)
+    {
         bool areMarked = _pairs.KeepMarks(found, margin);
         bool[] moved = _pairs.Moved.Has;
         for (int i = 0; i < found.Count; i++)
@@ -80,8 +100,6 @@ public sealed class DynamicAabbTree : IBroadPhase
                 key = PairKeys.Marked(key, BoundsTable.Near(_table.Boxes[a], _table.Boxes[b], margin));
             if (PairKeys.IsMarked(key)) pairs.Add(new ObjectPair(a, b));
         }
-
-        _pairs.Note(found, margin, pairs.Count);
     }
 
     /// <inheritdoc/>

@@ -100,7 +100,7 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         return areKept;
     }
 
-    /// <summary>Is told which of the pairs found are marked now, and how many.</summary>
+    /// <summary>Is told for which margin the pairs found are marked now, NaN for none, and how many are near.</summary>
     public void Note(PairKeys found, float margin, int answer)
     {
         Moved.Clear();

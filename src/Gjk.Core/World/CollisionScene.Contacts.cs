@@ -110,7 +110,7 @@ public sealed partial class CollisionScene
     {
         Workers.Check(workers);
         if (maxGap != _contactGap) _within.Forget();
-        _within.Begin(_candidates, _objects.Ids, ref _calls);
+        _within.Begin(_candidates, _objects.Ids, ref _calls, _objects.MostRest(_within.Call));
         Workers.Run(
             workers, new SceneWithinJob(_objects, _candidates, _within, maxGap), _candidates.Count,
             _objects.Parts.PartLength, CancellationToken.None);

@@ -126,7 +126,7 @@ public sealed partial class CollisionScene
     private void DecideOverlaps(Workers? workers, bool asksParts = true)
     {
         Workers.Check(workers);
-        _overlaps.Begin(_candidates, _objects.Ids, ref _calls);
+        _overlaps.Begin(_candidates, _objects.Ids, ref _calls, _objects.MostRest(_overlaps.Call));
         Workers.Run(
             workers, new SceneOverlapJob(_objects, _candidates, _overlaps, asksParts), _candidates.Count,
             _objects.Parts.PartLength, CancellationToken.None);

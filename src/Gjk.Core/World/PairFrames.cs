@@ -7,8 +7,13 @@ internal abstract class PairFrames
 {
     private ulong[] _now = [], _last = [];
     private int _lastCount;
-    private long _call;
-    private bool _isComplete;
+    private bool _isComplete, _isKept;
+
+    /// <summary>The scene's count of calls at this frame.</summary>
+    public long Call { get; private set; }
+
+    /// <summary>Whether the last frame's pairs are known.</summary>
+    public bool KnowsAny => _lastCount > 0;
 
     /// <summary>How many pairs the frame has.</summary>
     public int Count { get; private set; }
@@ -20,23 +25,26 @@ internal abstract class PairFrames
     /// <param name="pairs">Sorted; their ids ascend as they do.</param>
     /// <param name="ids">Of the slots.</param>
     /// <param name="calls">The scene's count of calls, which this is one of.</param>
-    public void Begin(List<ObjectPair> pairs, int[] ids, ref long calls)
+    /// <param name="isKept">Whether pairs are found in the last frame, and in this one by the next.</param>
+    public void Begin(List<ObjectPair> pairs, int[] ids, ref long calls, bool isKept = true)
     {
         if (_last.Length < pairs.Count) _last = new ulong[BoundsTable.Grown(_last.Length, pairs.Count)];
         Turn(pairs.Count);
         (_now, _last) = (_last, _now);
 
         // Discard the mixed data of an interrupted call.
-        _lastCount = _isComplete ? Count : 0;
+        _lastCount = _isComplete && isKept ? Count : 0;
         _isComplete = false;
+        _isKept = isKept;
         Count = pairs.Count;
-        LastCall = _call;
-        _call = ++calls;
+        LastCall = Call;
+        Call = ++calls;
+        if (!isKept) return;
         for (int i = 0; i < Count; i++) _now[i] = PairKeys.Key(ids[pairs[i].A], ids[pairs[i].B]);
     }
 
     /// <summary>All pairs of the frame have their answers.</summary>
-    public void Complete() => _isComplete = true;
+    public void Complete() => _isComplete = _isKept;
 
     /// <summary>The next frame shall not find this one's pairs.</summary>
     public void Forget() => _isComplete = false;

@@ -13,7 +13,8 @@ internal readonly struct SceneWithinJob(
         bool anyAsked = false;
         for (int i = begin; i < end; i++)
         {
-            kept[i - begin] = objects.Rest(pairs[i], answers.LastCall) && answers.TryKeep(i, ref last);
+            kept[i - begin] = answers.KnowsAny && objects.Rest(pairs[i], answers.LastCall)
+                && answers.TryKeep(i, ref last);
             anyAsked |= !kept[i - begin];
         }
 

@@ -129,6 +129,16 @@ internal sealed class SceneObjects
         return new PairContacts(PartSide.NoPart, PartSide.NoPart, depth, manifold, IdsOf(pair));
     }
 
+    /// <summary>Whether at most half of the objects have moved since a call: else it does not pay to look which pairs
+    /// rest.</summary>
+    public bool MostRest(long call)
+    {
+        int moved = 0;
+        for (int slot = 0; slot < End; slot++)
+            if (MovedAfter[slot] >= call) moved++;
+        return moved <= End / 2;
+    }
+
     /// <summary>Whether neither object of a pair has moved since a call.</summary>
     public bool Rest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
 
