@@ -150,6 +150,8 @@ public static partial class PairBatch
 #if NET
             if (WideBatch.IsSupported)
             {
+                // The caller's array may have the answers of another call.
+                Array.Clear(results, begin, end - begin);
                 var question = new WideOverlaps(ref results[begin]);
                 new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
                 return;

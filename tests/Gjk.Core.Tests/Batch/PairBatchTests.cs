@@ -26,7 +26,9 @@ public class PairBatchTests
             Assert.Equal(threads, workers?.ThreadCount ?? 0);
             var distances = new DistanceResult[pairs.Length];
             var statuses = new GjkStatus[pairs.Length + 1];
-            statuses[^1] = GjkStatus.IterationLimit;
+
+            // What is there from another call is no answer.
+            Array.Fill(statuses, GjkStatus.IterationLimit);
             PairBatch.Distance(shapes, poses, pairs, distances, workers: workers);
             PairBatch.Overlaps(shapes, poses, pairs, statuses, workers);
             Assert.True(
