@@ -19,9 +19,7 @@ public static partial class ConcaveQuery
         if (pairs is null) return false;
         pairs.Clear();
         if (float.IsNaN(distance) || !TryBegin(a, poseA, b, poseB, scratch)) return false;
-        scratch.Search.All = pairs;
-        PartPairSearch.Run(scratch, distance);
-        scratch.Search.All = null;
+        PartPairSearch.Collect(scratch, distance, pairs);
         InPlaceSort.Sort(pairs);
         return true;
     }

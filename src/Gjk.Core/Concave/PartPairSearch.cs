@@ -44,6 +44,18 @@ internal struct PartPairSearch
     /// <summary>Takes every pair within the limit, where it is not null.</summary>
     public List<PairDistance>? All;
 
+    /// <summary>Finds all pairs that are no further apart than a distance, in no order.</summary>
+    /// <param name="scratch">With both sides set.</param>
+    /// <param name="distance">In world units.</param>
+    /// <param name="pairs">Cleared, then the pairs.</param>
+    public static void Collect(ConcaveScratch scratch, float distance, List<PairDistance> pairs)
+    {
+        pairs.Clear();
+        scratch.Search.All = pairs;
+        Run(scratch, distance);
+        scratch.Search.All = null;
+    }
+
     /// <summary>Finds the least distance that is at most the limit.</summary>
     /// <param name="scratch">With both sides set.</param>
     /// <param name="maxDistance">In world units.</param>

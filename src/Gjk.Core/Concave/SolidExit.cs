@@ -67,10 +67,7 @@ internal static class SolidExit
     public static void FindTouching(ConcaveScratch scratch, bool isSwapped)
     {
         List<PairDistance> pairs = scratch.Pairs;
-        pairs.Clear();
-        scratch.Search.All = pairs;
-        PartPairSearch.Run(scratch, 0);
-        scratch.Search.All = null;
+        PartPairSearch.Collect(scratch, 0, pairs);
         for (int i = 0; i < pairs.Count; i++)
         {
             PairDistance pair = pairs[i];

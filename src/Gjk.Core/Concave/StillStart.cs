@@ -6,12 +6,8 @@ internal static class StillStart
     /// <summary>Asks the parts that touch for the search that the scratch holds.</summary>
     public static void Run(ConcaveScratch scratch)
     {
-        List<PairDistance> pairs = scratch.Pairs;
-        pairs.Clear();
-        scratch.Search.All = pairs;
-        PartPairSearch.Run(scratch, 0);
-        scratch.Search.All = null;
-        foreach (PairDistance pair in pairs)
+        PartPairSearch.Collect(scratch, 0, scratch.Pairs);
+        foreach (PairDistance pair in scratch.Pairs)
             scratch.CastSearch.Ask(scratch, Math.Max(pair.PartA, 0), Math.Max(pair.PartB, 0));
     }
 }

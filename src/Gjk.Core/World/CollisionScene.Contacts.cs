@@ -78,9 +78,14 @@ public sealed partial class CollisionScene
 
     private void MakeContacts(float maxGap, Workers? workers)
     {
-        CollectTouching(maxGap, workers);
-        if (maxGap != _contactGap) _contacts.Forget();
+        if (maxGap != _contactGap)
+        {
+            _within.Forget();
+            _contacts.Forget();
+        }
+
         _contactGap = maxGap;
+        CollectTouching(maxGap, workers);
         _contacts.HasParts = _objects.Parts.Any;
         _contacts.Begin(_touching, _objects.Ids, ref _calls);
         Workers.Run(
@@ -93,15 +98,14 @@ public sealed partial class CollisionScene
     private void CollectTouching(float maxGap, Workers? workers)
     {
         CollectSlots(maxGap, _candidates);
-        PairAnswers<GjkStatus> answers = maxGap > 0 ? _within : _overlaps;
         if (maxGap > 0) DecideWithin(maxGap, workers);
         else DecideOverlaps(workers, asksParts: false);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
         {
             bool isNear = maxGap > 0
-                ? answers[i] != GjkStatus.BeyondMaxDistance
-                : answers[i] == GjkStatus.Overlapping;
+                ? _within[i] != GjkStatus.BeyondMaxDistance
+                : _overlaps[i] == GjkStatus.Overlapping;
             if (isNear || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);
         }
     }
@@ -109,7 +113,6 @@ public sealed partial class CollisionScene
     private void DecideWithin(float maxGap, Workers? workers)
     {
         Workers.Check(workers);
-        if (maxGap != _contactGap) _within.Forget();
         _within.Begin(_candidates, _objects.Ids, ref _calls, _objects.MostRest(_within.Call));
         Workers.Run(
             workers, new SceneWithinJob(_objects, _candidates, _within, maxGap), _candidates.Count,

@@ -54,9 +54,7 @@ public sealed partial class CollisionScene
         }
 
         // The candidates may come in any order, so none is looked up, and none is found again.
-        _overlaps.Forget();
-        DecideOverlaps(workers);
-        _overlaps.Forget();
+        DecideOverlaps(workers, isKept: false);
         CopyOverlaps(results);
     }
 
@@ -123,10 +121,10 @@ public sealed partial class CollisionScene
         return new PairDistance(_pairWarmStarts.Results[i], parts.A, parts.B, ids);
     }
 
-    private void DecideOverlaps(Workers? workers, bool asksParts = true)
+    private void DecideOverlaps(Workers? workers, bool asksParts = true, bool isKept = true)
     {
         Workers.Check(workers);
-        _overlaps.Begin(_candidates, _objects.Ids, ref _calls, _objects.MostRest(_overlaps.Call));
+        _overlaps.Begin(_candidates, _objects.Ids, ref _calls, isKept && _objects.MostRest(_overlaps.Call));
         Workers.Run(
             workers, new SceneOverlapJob(_objects, _candidates, _overlaps, asksParts), _candidates.Count,
             _objects.Parts.PartLength, CancellationToken.None);

@@ -13,8 +13,7 @@ internal readonly struct SceneWithinJob(
         bool anyAsked = false;
         for (int i = begin; i < end; i++)
         {
-            kept[i - begin] = answers.KnowsAny && objects.Rest(pairs[i], answers.LastCall)
-                && answers.TryKeep(i, ref last);
+            kept[i - begin] = objects.TryKeep(answers, pairs[i], i, ref last);
             anyAsked |= !kept[i - begin];
         }
 
@@ -53,7 +52,7 @@ internal readonly struct SceneDepthJob(
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            if (objects.Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last)) continue;
+            if (objects.TryKeep(answers, pair, i, ref last)) continue;
             if (objects.Parts.Has(pair))
             {
                 objects.Parts.FindDepths(pair, scratch!, answers.Parts(i));
@@ -78,7 +77,7 @@ internal readonly struct SceneContactJob(
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            if (objects.Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last)) continue;
+            if (objects.TryKeep(answers, pair, i, ref last)) continue;
             if (objects.Parts.Has(pair))
             {
                 objects.Parts.FindContacts(pair, maxGap, scratch!, answers.Parts(i));

@@ -14,9 +14,7 @@ internal readonly struct SceneOverlapJob(
         bool anyAsked = false;
         for (int i = begin; i < end; i++)
         {
-            bool keeps = answers.KnowsAny && objects.Rest(pairs[i], answers.LastCall)
-                && answers.TryKeep(i, ref last);
-            if (keeps && answers[i] != GjkStatus.None) continue;
+            if (objects.TryKeep(answers, pairs[i], i, ref last) && answers[i] != GjkStatus.None) continue;
             answers[i] = objects.Parts.Has(pairs[i]) ? NotConvex : GjkStatus.None;
             anyAsked = true;
         }

@@ -142,6 +142,12 @@ internal sealed class SceneObjects
     /// <summary>Whether neither object of a pair has moved since a call.</summary>
     public bool Rest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
 
+    /// <summary>Gives the i-th pair the answer that it had in the last frame, if neither object has moved
+    /// since.</summary>
+    public bool TryKeep<T>(PairAnswers<T> answers, ObjectPair pair, int i, ref int last)
+        where T : struct =>
+        answers.KnowsAny && Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last);
+
     /// <summary>Whether a question sees the object in a slot.</summary>
     public bool IsSeen(int slot, in QueryFilter filter) => filter.Sees(Ids[slot], Settings[slot]);
 

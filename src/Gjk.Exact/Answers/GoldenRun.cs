@@ -154,7 +154,7 @@ public sealed class GoldenRun
         return hash;
     }
 
-    internal static void AddContacts(
+    private static void AddContacts(
         in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, ref ContactManifold manifold,
         ref BitHash hash)
     {
