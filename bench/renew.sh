@@ -9,6 +9,7 @@ case ${1:-} in
   *) sed -n '2,4s/^# \{0,1\}//p' bench/renew.sh; [[ $1 == -h || $1 == --help ]] || exit 2; exit 0 ;;
 esac
 if [ "${1:-}" != --pages ]; then
+  command -v mono > /dev/null || { echo 'renew.sh: Mono is not installed; tests/install.sh mono-devel' >&2; exit 2; }
   dotnet build -c Release -v quiet --nologo bench
   # A run that breaks off leaves the old figures.
   old=$(mktemp -d)
