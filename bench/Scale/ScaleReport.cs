@@ -30,8 +30,9 @@ internal static class ScaleReport
         text.Append(
             CultureInfo.InvariantCulture,
             $"""
-            The figures are medians over a second of frames, after a second of warm-up. The narrow phase runs on all
-            threads, the broad phase on one. At rest, a pair keeps its distance from frame to frame: nothing is solved.
+            The figures are medians over a second of frames, after a second of warm-up. Both phases run on all threads;
+            the narrow one is what a whole frame takes beyond one that ends after the broad phase. At rest, a pair keeps
+            its answer from frame to frame: nothing is solved.
 
             """);
         return text.ToString();

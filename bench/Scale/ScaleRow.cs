@@ -6,7 +6,7 @@ namespace Gjk.Bench.Scale;
 /// <param name="Objects">How many objects there are.</param>
 /// <param name="IsMoving">True if all objects move from frame to frame.</param>
 /// <param name="Phase">How pairs are found.</param>
-/// <param name="Threads">How many threads share the narrow phase.</param>
+/// <param name="Threads">How many threads share the work.</param>
 /// <param name="Figures">What was measured.</param>
 internal sealed record ScaleRow(
     string Scene, Question Question, int Objects, bool IsMoving, Core.BroadPhaseKind Phase, int Threads,
@@ -24,8 +24,8 @@ internal enum Question
 
 /// <summary>The medians over many frames. A value is null if it was not measured separately.</summary>
 /// <param name="BroadMs">The time to move the objects and to find candidates.</param>
-/// <param name="NarrowMs">The time to test the candidates.</param>
-/// <param name="FrameMs">The time of both.</param>
+/// <param name="NarrowMs">What testing the candidates adds.</param>
+/// <param name="FrameMs">The time of a whole frame.</param>
 /// <param name="Candidates">The mean number of pairs that are left for the narrow phase.</param>
 /// <param name="Pairs">The mean number of pairs that intersect.</param>
 /// <param name="TouchingShare">The share of objects that touch another one.</param>

@@ -10,12 +10,14 @@ public sealed class WorldScenes
     private const double SizesPerFrame = 0.01;
 
     private readonly MovingObjects _objects;
+    private readonly int[] _ids;
 
     public WorldScenes(int count)
     {
         BuiltInScene scene = BuiltInScenes.Cubes(count);
         Shape = ConvexShape.Mesh(scene.Vertices);
         _objects = new MovingObjects(scene, SizesPerFrame);
+        _ids = [.. Enumerable.Range(0, count)];
     }
 
     /// <summary>The shape of all objects, which is the report's cube of 24 vertices.</summary>
@@ -36,9 +38,5 @@ public sealed class WorldScenes
     }
 
     /// <summary>Gives a scene the current poses of the objects.</summary>
-    public void MoveAll(CollisionScene scene)
-    {
-        RigidPose[] poses = Poses;
-        for (int i = 0; i < poses.Length; i++) scene.Move(i, poses[i]);
-    }
+    public void MoveAll(CollisionScene scene, Workers? workers = null) => scene.MoveAll(_ids, Poses, workers);
 }

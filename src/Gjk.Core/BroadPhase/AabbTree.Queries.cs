@@ -9,8 +9,9 @@ internal sealed partial class AabbTree
     public long Visits { get; private set; }
 
     /// <summary>The leaves whose boxes overlap the given one.</summary>
-    public void Query(Vector3 min, Vector3 max, List<int> leaves)
+    public unsafe void Query(Vector3 min, Vector3 max, List<int> leaves)
     {
+        int* stack = stackalloc int[MaxDepth];
         int depth = 0, visits = 0, node = _root;
         while (node != None)
         {
@@ -25,13 +26,12 @@ internal sealed partial class AabbTree
 
             if (down)
             {
-                if (depth == _stack.Length) Array.Resize(ref _stack, 2 * depth);
-                _stack[depth++] = box.Right;
+                stack[depth++] = box.Right;
                 node = box.Left;
             }
             else
             {
-                node = depth > 0 ? _stack[--depth] : None;
+                node = depth > 0 ? stack[--depth] : None;
             }
         }
 
@@ -39,9 +39,11 @@ internal sealed partial class AabbTree
     }
 
     /// <summary>Adds a pair for each leaf whose box overlaps this leaf's when one of them is widened, but for those
-    /// that are being looked up as well and come first.</summary>
-    public void QueryPairs(int leaf, float margin, bool[] pending, PairKeys keys)
+    /// that are being looked up as well and come first. Several threads may look at once.</summary>
+    /// <returns>How many nodes were looked at.</returns>
+    public unsafe int QueryPairs(int leaf, float margin, bool[] pending, PairKeys keys)
     {
+        int* stack = stackalloc int[MaxDepth];
         Vector3 min = _nodes[leaf].Min, max = _nodes[leaf].Max + new Vector3(margin);
         int depth = 0, visits = 0, node = _root;
         while (true)
@@ -52,8 +54,7 @@ internal sealed partial class AabbTree
             {
                 if (node >= _leafEnd)
                 {
-                    if (depth == _stack.Length) Array.Resize(ref _stack, 2 * depth);
-                    _stack[depth++] = box.Right;
+                    stack[depth++] = box.Right;
                     node = box.Left;
                     continue;
                 }
@@ -61,12 +62,13 @@ internal sealed partial class AabbTree
                 if (node != leaf && !(pending[node] && node < leaf)) keys.Add(PairKeys.Key(leaf, node));
             }
 
-            if (depth == 0) break;
-            node = _stack[--depth];
+            if (depth == 0) return visits;
+            node = stack[--depth];
         }
-
-        Visits += visits;
     }
+
+    /// <summary>Counts what <see cref="QueryPairs"/> looked at.</summary>
+    public void Count(long visits) => Visits += visits;
 
     /// <summary>Adds all pairs of leaves whose boxes overlap when one of them is widened: the tree against itself, from
     /// the root down, two subtrees at a time.</summary>

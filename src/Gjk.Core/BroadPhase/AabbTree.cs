@@ -33,6 +33,9 @@ internal sealed partial class AabbTree
     /// <summary>The node above all others; negative where there is none.</summary>
     public int Root => _root;
 
+    /// <summary>Whether it has to be built anew before it is asked.</summary>
+    public bool IsTooDeep => _root != None && _heights[_root] > MaxDepth;
+
     /// <summary>A node: a leaf's box as it was inserted, or an inner box and its children.</summary>
     public ref readonly AabbNode Node(int node) => ref _nodes[node];
 
@@ -84,59 +87,70 @@ internal sealed partial class AabbTree
     /// <returns>False where the tree is too deep now, and has to be built anew.</returns>
     public bool TryInsert(int leaf, Vector3 min, Vector3 max)
     {
-        ref AabbNode box = ref _nodes[leaf];
-        box.Min = min;
-        box.Max = max;
-        if (_root == None)
-        {
-            _root = leaf;
-            _parents[leaf] = None;
-            return true;
-        }
-
-        int sibling = FindSibling(leaf);
-        int parent = _free[--_freeCount], above = _parents[sibling];
-        ref AabbNode joined = ref _nodes[parent];
-        joined.Left = sibling;
-        joined.Right = leaf;
-        _parents[parent] = above;
-        _parents[sibling] = _parents[leaf] = parent;
-        if (above == None) _root = parent;
-        else Replace(above, sibling, parent);
-        Refit(parent);
-        return _heights[_root] <= MaxDepth;
+        Attach(leaf, min, max, _root == None ? None : _free[--_freeCount], ref _root, None);
+        return !IsTooDeep;
     }
 
     public void Remove(int leaf)
     {
-        int parent = _parents[leaf];
-        if (parent == None)
+        int spare = Detach(leaf, ref _root, None);
+        if (spare != None) _free[_freeCount++] = spare;
+    }
+
+    /// <summary>Adds a leaf to a subtree.</summary>
+    /// <param name="leaf">The leaf.</param>
+    /// <param name="min">Of its box.</param>
+    /// <param name="max">Of its box.</param>
+    /// <param name="spare">A free inner node; none is needed where there is no root.</param>
+    /// <param name="root">The subtree's root, which may become another one.</param>
+    /// <param name="top">The node above the root, which only gets another child.</param>
+    private void Attach(int leaf, Vector3 min, Vector3 max, int spare, ref int root, int top)
+    {
+        SetLeaf(leaf, min, max);
+        if (root == None)
         {
-            _root = None;
+            root = leaf;
+            _parents[leaf] = top;
             return;
         }
 
+        int sibling = FindSibling(leaf, root), above = _parents[sibling];
+        ref AabbNode joined = ref _nodes[spare];
+        joined.Left = sibling;
+        joined.Right = leaf;
+        _parents[spare] = above;
+        _parents[sibling] = _parents[leaf] = spare;
+        if (sibling == root) root = spare;
+        if (above != None) Replace(above, sibling, spare);
+        Refit(spare, top);
+    }
+
+    /// <summary>Takes a leaf out of a subtree.</summary>
+    /// <returns>The inner node that is free now.</returns>
+    private int Detach(int leaf, ref int root, int top)
+    {
+        if (leaf == root)
+        {
+            root = None;
+            return None;
+        }
+
+        int parent = _parents[leaf], above = _parents[parent];
         int sibling = _nodes[parent].Left == leaf ? _nodes[parent].Right : _nodes[parent].Left;
-        int above = _parents[parent];
-        _free[_freeCount++] = parent;
         _parents[sibling] = above;
-        if (above == None)
-        {
-            _root = sibling;
-            return;
-        }
-
-        Replace(above, parent, sibling);
-        Shrink(above);
+        if (parent == root) root = sibling;
+        if (above != None) Replace(above, parent, sibling);
+        Shrink(above, top);
+        return parent;
     }
 
     /// <summary>Down from the root: each node entered grows by the new box, so stopping at it, as the box's sibling,
     /// costs its grown surface; going on costs what the node itself grows by and at least the new box's own growth of a
     /// child.</summary>
-    private int FindSibling(int leaf)
+    private int FindSibling(int leaf, int root)
     {
         ref readonly AabbNode box = ref _nodes[leaf];
-        int node = _root;
+        int node = root;
         for (int depth = 0; node >= _leafEnd; depth++)
         {
             ref readonly AabbNode inner = ref _nodes[node];
@@ -166,10 +180,10 @@ internal sealed partial class AabbTree
         return left < right || (left == right && (turn & 1) != 0);
     }
 
-    /// <summary>From a node to the root: the boxes, and a turn where it lessens the surface.</summary>
-    private void Refit(int node)
+    /// <summary>From a node up to one that stays: the boxes, and a turn where it lessens the surface.</summary>
+    private void Refit(int node, int top)
     {
-        for (; node != None; node = _parents[node])
+        for (; node != top; node = _parents[node])
         {
             Turn(node, _nodes[node].Left, _nodes[node].Right);
             Turn(node, _nodes[node].Right, _nodes[node].Left);
@@ -177,11 +191,11 @@ internal sealed partial class AabbTree
         }
     }
 
-    /// <summary>From a node to the root, or to where the removed leaf was not at the edge: the boxes alone; the next
-    /// insertion turns the branches.</summary>
-    private void Shrink(int node)
+    /// <summary>From a node up to one that stays, or to where the removed leaf was not at the edge: the boxes
+    /// alone; the next insertion turns the branches.</summary>
+    private void Shrink(int node, int top)
     {
-        for (; node != None; node = _parents[node])
+        for (; node != top; node = _parents[node])
         {
             AabbNode before = _nodes[node];
             Enclose(node);

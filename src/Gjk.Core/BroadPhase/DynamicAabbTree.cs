@@ -8,9 +8,16 @@ namespace Gjk.Core;
 /// and with the number of pairs of the largest answer.</remarks>
 public sealed class DynamicAabbTree : IBroadPhase
 {
+    /// <summary>Count of objects that one thread moves in turn. A matter of speed only.</summary>
+    private const int MovesInPart = 512;
+
     private readonly BoundsTable _table = new();
     private readonly FatLeaves _leaves;
     private readonly KeptPairs _pairs;
+    private readonly Selection<ObjectPair> _near = new();
+
+    /// <summary>By move of many: whether the object leaves its leaf.</summary>
+    private bool[] _areLeaving = [];
 
     /// <summary>Makes an empty broad phase.</summary>
     public DynamicAabbTree()
@@ -44,9 +51,23 @@ public sealed class DynamicAabbTree : IBroadPhase
     public void Move(int id, in Aabb bounds)
     {
         _table.Check(id);
-        _leaves.Move(id, _table.Boxes[id], bounds);
+        if (_leaves.Leaves(id, bounds)) _leaves.Unplaced.Add(id);
         _table.Boxes[id] = bounds;
         _pairs.Moved.Add(id);
+    }
+
+    /// <summary>Moves many objects on several threads; those with negative numbers are left out.</summary>
+    internal void MoveAll(int[] ids, Aabb[] bounds, int count, Workers? workers)
+    {
+        if (_areLeaving.Length < count) _areLeaving = new bool[ids.Length];
+        Workers.Run(
+            workers, new MoveJob(this, ids, bounds), count, MovesInPart, CancellationToken.None);
+        for (int i = 0; i < count; i++)
+        {
+            if (ids[i] < 0) continue;
+            _pairs.Moved.Add(ids[i]);
+            if (_areLeaving[i]) _leaves.Unplaced.Add(ids[i]);
+        }
     }
 
     /// <inheritdoc/>
@@ -66,40 +87,30 @@ public sealed class DynamicAabbTree : IBroadPhase
     }
 
     /// <inheritdoc/>
-    public void CollectPairs(float margin, List<ObjectPair> pairs)
+    public void CollectPairs(float margin, List<ObjectPair> pairs) => CollectPairs(margin, pairs, null);
+
+    /// <summary>The same on several threads.</summary>
+    /// <param name="margin">At least 0; may be infinite.</param>
+    /// <param name="pairs">Emptied first; then the pairs, A less than B, sorted by (A, B).</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The margin is negative or NaN.</exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="InvalidOperationException">There are more than 1,073,741,824 pairs. The list is left empty; the
+    /// broad phase is as it was.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void CollectPairs(float margin, List<ObjectPair> pairs, Workers? workers)
     {
         BoundsTable.CheckQuery(margin, pairs);
-        PairKeys found = _pairs.Find(margin);
+        Workers.Check(workers);
+        PairKeys found = _pairs.Find(margin, workers);
 
         // Where most have moved, marks cost more than they spare.
         bool isMarking = _pairs.Moved.Count <= _table.Count / 2;
-        if (isMarking) CollectMarked(found, margin, pairs);
-        else CollectNear(found, margin, pairs);
+        bool areMarked = isMarking && _pairs.KeepMarks(found, margin);
+        var near = new NearPairs(
+            _table.Boxes, found.Keys, margin, isMarking, areMarked ? _pairs.Moved.Has : null);
+        _near.Collect(near, found.Count, pairs, workers);
         _pairs.Note(found, isMarking ? margin : float.NaN, pairs.Count);
-    }
-
-    private void CollectNear(PairKeys found, float margin, List<ObjectPair> pairs)
-    {
-        for (int i = 0; i < found.Count; i++)
-        {
-            int a = PairKeys.First(found.Keys[i]), b = PairKeys.Second(found.Keys[i]);
-            if (BoundsTable.Near(_table.Boxes[a], _table.Boxes[b], margin)) pairs.Add(new ObjectPair(a, b));
-        }
-    }
-
-    /// <summary>The same, with a look only at the pairs of what has moved, or that have no marks yet.</summary>
-    private void CollectMarked(PairKeys found, float margin, List<ObjectPair> pairs)
-    {
-        bool areMarked = _pairs.KeepMarks(found, margin);
-        bool[] moved = _pairs.Moved.Has;
-        for (int i = 0; i < found.Count; i++)
-        {
-            ref ulong key = ref found.Keys[i];
-            int a = PairKeys.First(key), b = PairKeys.Second(key);
-            if (!areMarked || moved[a] || moved[b])
-                key = PairKeys.Marked(key, BoundsTable.Near(_table.Boxes[a], _table.Boxes[b], margin));
-            if (PairKeys.IsMarked(key)) pairs.Add(new ObjectPair(a, b));
-        }
     }
 
     /// <inheritdoc/>
@@ -126,4 +137,17 @@ public sealed class DynamicAabbTree : IBroadPhase
     /// <summary>Makes the tree ready. Until the next change, sweeps change nothing, so several threads may make
     /// them.</summary>
     internal void UpdateLeaves() => _pairs.UpdateLeaves();
+
+    private readonly struct MoveJob(DynamicAabbTree tree, int[] ids, Aabb[] bounds) : IPartJob
+    {
+        public void Run(int begin, int end)
+        {
+            for (int i = begin; i < end; i++)
+            {
+                if (ids[i] < 0) continue;
+                tree._areLeaving[i] = tree._leaves.Leaves(ids[i], bounds[i]);
+                tree._table.Boxes[ids[i]] = bounds[i];
+            }
+        }
+    }
 }

@@ -29,6 +29,7 @@ internal sealed class FatLeaves(BoundsTable table)
     /// <summary>The objects that need a new leaf. Some of them may have been removed meanwhile.</summary>
     public IdSet Unplaced { get; } = new();
     private readonly CurveOrder _order = new(table);
+    private readonly LeafMoves _moves = new();
 
     /// <summary>By how much an object moved along each axis when it left its leaf.</summary>
     private Vector3[] _steps = [];
@@ -46,6 +47,7 @@ internal sealed class FatLeaves(BoundsTable table)
     {
         Unplaced.Reserve(capacity);
         _order.Reserve(capacity);
+        _moves.Reserve(capacity);
         if (_steps.Length < capacity) Array.Resize(ref _steps, capacity);
         if (_inTree.Length < capacity) Array.Resize(ref _inTree, capacity);
     }
@@ -56,12 +58,14 @@ internal sealed class FatLeaves(BoundsTable table)
         Unplaced.Add(id);
     }
 
-    /// <summary>Is told before a box changes in the table.</summary>
-    public void Move(int id, in Aabb from, in Aabb to)
+    /// <summary>Whether a new box, which is not in the table yet, takes an object out of its leaf. Several threads may
+    /// ask about objects of their own.</summary>
+    public bool Leaves(int id, in Aabb to)
     {
-        if (Unplaced.Has[id] || IsFit(to, Tree.Node(id))) return;
+        if (Unplaced.Has[id] || IsFit(to, Tree.Node(id))) return false;
+        ref readonly Aabb from = ref table.Boxes[id];
         _steps[id] = Vector3.Max(Vector3.Abs(to.Min - from.Min), Vector3.Abs(to.Max - from.Max));
-        Unplaced.Add(id);
+        return true;
     }
 
     public void Remove(int id)
@@ -79,10 +83,10 @@ internal sealed class FatLeaves(BoundsTable table)
     }
 
     /// <summary>Gives new leaves to the objects that need one, and adds them to a set.</summary>
-    public void Update(IdSet placed)
+    public void Update(IdSet placed, Workers? workers)
     {
         if (Unplaced.Count == 0) return;
-        if (Unplaced.Count > table.Count / MovedPartForBuild || !TryInsertAll(placed)) Build(placed);
+        if (Unplaced.Count > table.Count / MovedPartForBuild || !TryInsertAll(placed, workers)) Build(placed);
         Unplaced.Clear();
     }
 
@@ -112,31 +116,32 @@ internal sealed class FatLeaves(BoundsTable table)
         box.Max.X <= leaf.Max.X && box.Max.Y <= leaf.Max.Y && box.Max.Z <= leaf.Max.Z &&
         AabbNode.Length(leaf.Min, leaf.Max) <= MostLength * AabbNode.Length(box.Min, box.Max);
 
-    /// <summary>Moves leaves one by one; false where the tree becomes too deep, and has to be built anew.</summary>
-    private bool TryInsertAll(IdSet placed)
+    /// <summary>Moves leaves within their subtrees, and those that leave these one by one; false where the tree becomes
+    /// too deep, and has to be built anew.</summary>
+    private bool TryInsertAll(IdSet placed, Workers? workers)
     {
         if (Tree.Capacity < table.Boxes.Length) Tree.Grow(table.Boxes.Length);
         Unplaced.KeepPresent(table.Present);
-        int count = Unplaced.Count;
+        for (int i = 0; i < Unplaced.Count; i++) placed.Add(Unplaced.Ids[i]);
+        int[] ids = _moves.Move(this, workers, out int count);
         bool isOrdered = count >= LeastToOrder;
-        if (isOrdered) _order.Fill(Unplaced.Ids, count);
+        if (isOrdered) _order.Fill(ids, count);
         for (int i = 0; i < count; i++)
         {
             // In order, what one object needs of the tree is in the cache from the one before.
-            int id = isOrdered ? _order[i] : Unplaced.Ids[i];
+            int id = isOrdered ? _order[i] : ids[i];
             if (_inTree[id]) Tree.Remove(id);
             Fatten(id, out Vector3 min, out Vector3 max);
             _inTree[id] = Tree.TryInsert(id, min, max);
             if (!_inTree[id]) return false;
-            placed.Add(id);
         }
 
-        return true;
+        return !Tree.IsTooDeep;
     }
 
     /// <summary>Rounding is monotone, so the larger box holds the box. It ends where floats do: a sweep needs finite
     /// ends.</summary>
-    private void Fatten(int id, out Vector3 min, out Vector3 max)
+    public void Fatten(int id, out Vector3 min, out Vector3 max)
     {
         ref readonly Aabb box = ref table.Boxes[id];
         (min, max) = (box.Min, box.Max);

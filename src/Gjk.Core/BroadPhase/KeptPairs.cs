@@ -20,6 +20,8 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
 
     private readonly PairBudget _budget = new(table);
     private readonly PairKeys _begun = new();
+    private readonly PairSearch _search = new(leaves);
+    private readonly Selection<ulong> _lasting = new();
 
     /// <summary>The objects with new leaves, whose kept pairs are not those of the leaves. Some may have been
     /// removed.</summary>
@@ -81,15 +83,15 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
 
     /// <summary>Gives all objects leaves, so that the tree can be asked; the pairs wait until they are asked
     /// for.</summary>
-    public void UpdateLeaves() => leaves.Update(Unpaired);
+    public void UpdateLeaves(Workers? workers = null) => leaves.Update(Unpaired, workers);
 
     /// <summary>Pairs, in order, among which are all pairs of boxes within a margin.</summary>
-    public PairKeys Find(float margin)
+    public PairKeys Find(float margin, Workers? workers)
     {
-        UpdateLeaves();
+        UpdateLeaves(workers);
         _questionsBelowMargin = margin < 0.5f * _margin ? _questionsBelowMargin + 1 : 0;
         if (!_isValid || margin > _margin || _questionsBelowMargin >= PatienceQuestions) return FindAll(margin);
-        return TryUpdate() ? _pairs : FindAll(_margin);
+        return TryUpdate(workers) ? _pairs : FindAll(_margin);
     }
 
     /// <summary>Whether the pairs found have their marks from the last question; else they lose them.</summary>
@@ -147,36 +149,32 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
 
     /// <summary>Drops the kept pairs of what has a new leaf or is gone, and finds the new ones; false, with no pairs
     /// kept, where finding all anew is better.</summary>
-    private bool TryUpdate()
+    private bool TryUpdate(Workers? workers)
     {
         if (Unpaired.Count == 0 && !_anyRemoved) return true;
         _isValid = false;
         if (Unpaired.Count > table.Count / UnpairedPartForAll) return false;
-        bool[] unpaired = Unpaired.Has;
-        int kept = 0;
-        for (int i = 0; i < _pairs.Count; i++)
-        {
-            ulong key = _pairs.Keys[i];
-            int a = PairKeys.First(key), b = PairKeys.Second(key);
-            if (leaves.IsInTree(a) && leaves.IsInTree(b) && !unpaired[a] && !unpaired[b]) _pairs.Keys[kept++] = key;
-        }
-
-        _pairs.Count = kept;
-        _begun.Count = 0;
+        var lasting = new LastingPairs(leaves, Unpaired.Has, _pairs.Keys);
+        int kept = _pairs.Count = _lasting.CopyTo(lasting, _pairs.Count, _pairs.Keys, workers);
         long most = PairBudget.Of(table.Count, _lastAnswer) - kept;
-        for (int i = 0; i < Unpaired.Count; i++)
-        {
-            int id = Unpaired.Ids[i];
-            if (leaves.IsInTree(id)) leaves.Tree.QueryPairs(id, _margin, unpaired, _begun);
-            if (_begun.Count > most) return false;
-        }
-
+        if (!_search.TryFind(Unpaired, _margin, most, _begun, workers)) return false;
         Unpaired.Clear();
         _begun.Sort(table.End);
         _pairs.Merge(_begun);
         _anyRemoved = false;
         _isValid = true;
         return true;
+    }
+
+    /// <summary>Selects the pairs of two objects that still have their leaves.</summary>
+    private readonly struct LastingPairs(FatLeaves leaves, bool[] unpaired, ulong[] keys) : ISelector<ulong>
+    {
+        public bool TrySelect(int index, out ulong item)
+        {
+            item = keys[index];
+            int a = PairKeys.First(item), b = PairKeys.Second(item);
+            return leaves.IsInTree(a) && leaves.IsInTree(b) && !unpaired[a] && !unpaired[b];
+        }
     }
 }
 

@@ -61,6 +61,13 @@ internal sealed class PairKeys
         else SortByBuckets(end);
     }
 
+    public void Append(PairKeys other)
+    {
+        MakeRoom((long)Count + other.Count);
+        Array.Copy(other.Keys, 0, Keys, Count, other.Count);
+        Count += other.Count;
+    }
+
     /// <summary>Merges sorted keys into these sorted ones; none of them may be in both.</summary>
     public void Merge(PairKeys other)
     {

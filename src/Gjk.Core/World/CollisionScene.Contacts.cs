@@ -97,7 +97,7 @@ public sealed partial class CollisionScene
     /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>
     private void CollectTouching(float maxGap, Workers? workers)
     {
-        CollectSlots(maxGap, _candidates);
+        CollectSlots(maxGap, _candidates, workers);
         if (maxGap > 0) DecideWithin(maxGap, workers);
         else DecideOverlaps(workers, asksParts: false);
         _touching.Clear();
@@ -112,7 +112,6 @@ public sealed partial class CollisionScene
 
     private void DecideWithin(float maxGap, Workers? workers)
     {
-        Workers.Check(workers);
         _within.Begin(_candidates, _objects.Ids, ref _calls, _objects.MostRest(_within.Call));
         Workers.Run(
             workers, new SceneWithinJob(_objects, _candidates, _within, maxGap), _candidates.Count,

@@ -9,19 +9,22 @@ public sealed partial class CollisionScene
     private readonly List<ObjectPair> _candidates = [];
     private readonly PairWarmStarts _pairWarmStarts = new();
     private readonly PairAnswers<GjkStatus> _overlaps = new();
+    private readonly Selection<ObjectPair> _selected = new();
 
     /// <summary>The broad phase alone: the pairs whose bounds overlap, or are within a distance.</summary>
     /// <param name="candidates">Emptied first; then the pairs of ids, sorted.</param>
     /// <param name="distance">At least 0; may be infinite.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The distance is negative or NaN.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     /// <exception cref="InvalidOperationException">There are more pairs than <see cref="IBroadPhase"/> can
     /// find.</exception>
-    public void CollectCandidates(List<ObjectPair> candidates, float distance = 0)
+    public void CollectCandidates(List<ObjectPair> candidates, float distance = 0, Workers? workers = null)
     {
         Guard.NotNull(candidates, nameof(candidates));
         CheckDistance(distance, nameof(distance));
-        CollectSlots(distance, candidates);
+        CollectSlots(distance, candidates, workers);
         if (_objects.IsDirect) return;
         for (int i = 0; i < candidates.Count; i++) candidates[i] = _objects.IdsOf(candidates[i]);
     }
@@ -40,6 +43,7 @@ public sealed partial class CollisionScene
         Guard.NotNull(results, nameof(results));
         if (ReferenceEquals(candidates, results))
             throw new ArgumentException("The results need a list of their own.", nameof(results));
+        Workers.Check(workers);
         _candidates.Clear();
         for (int i = 0; i < candidates.Count; i++)
         {
@@ -55,7 +59,7 @@ public sealed partial class CollisionScene
 
         // The candidates may come in any order, so none is looked up, and none is found again.
         DecideOverlaps(workers, isKept: false);
-        CopyOverlaps(results);
+        CopyOverlaps(results, workers);
     }
 
     /// <summary>The pairs that overlap, touching included.</summary>
@@ -66,9 +70,9 @@ public sealed partial class CollisionScene
     public void FindOverlaps(List<ObjectPair> results, Workers? workers = null)
     {
         Guard.NotNull(results, nameof(results));
-        CollectSlots(0, _candidates);
+        CollectSlots(0, _candidates, workers);
         DecideOverlaps(workers);
-        CopyOverlaps(results);
+        CopyOverlaps(results, workers);
     }
 
     /// <summary>The pairs no further apart than a distance, and how far. A pair whose objects have not moved since the
@@ -123,7 +127,6 @@ public sealed partial class CollisionScene
 
     private void DecideOverlaps(Workers? workers, bool asksParts = true, bool isKept = true)
     {
-        Workers.Check(workers);
         _overlaps.Begin(_candidates, _objects.Ids, ref _calls, isKept && _objects.MostRest(_overlaps.Call));
         Workers.Run(
             workers, new SceneOverlapJob(_objects, _candidates, _overlaps, asksParts), _candidates.Count,
@@ -131,21 +134,31 @@ public sealed partial class CollisionScene
         _overlaps.Complete();
     }
 
-    private void CopyOverlaps(List<ObjectPair> results)
+    private void CopyOverlaps(List<ObjectPair> results, Workers? workers)
     {
         results.Clear();
-        for (int i = 0; i < _candidates.Count; i++)
-            if (_overlaps[i] == GjkStatus.Overlapping) results.Add(_objects.IdsOf(_candidates[i]));
+        _selected.Collect(
+            new OverlappingPairs(_objects, _candidates, _overlaps), _candidates.Count, results, workers);
     }
 
     private void FindDistances(float distance, Workers? workers)
     {
-        Workers.Check(workers);
-        CollectSlots(distance, _candidates);
+        CollectSlots(distance, _candidates, workers);
         _pairWarmStarts.Begin(_candidates, _objects.Ids, ref _calls);
         Workers.Run(
             workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance),
             _candidates.Count, _objects.Parts.PartLength, CancellationToken.None);
         _pairWarmStarts.Complete();
+    }
+
+    /// <summary>Selects the pairs that overlap.</summary>
+    private readonly struct OverlappingPairs(
+        SceneObjects objects, List<ObjectPair> candidates, PairAnswers<GjkStatus> answers) : ISelector<ObjectPair>
+    {
+        public bool TrySelect(int index, out ObjectPair item)
+        {
+            item = objects.IdsOf(candidates[index]);
+            return answers[index] == GjkStatus.Overlapping;
+        }
     }
 }

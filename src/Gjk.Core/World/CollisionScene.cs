@@ -37,6 +37,7 @@ public sealed partial class CollisionScene
     {
         _phase = new EndlessPhase(Guard.NotNull(broadPhase, nameof(broadPhase)), _objects);
         _seams = new SceneSeams(_objects);
+        _moves = new SceneMoves(_objects);
         if (_phase.Count != 0) throw new ArgumentException("Must be empty.", nameof(broadPhase));
     }
 
@@ -125,21 +126,6 @@ public sealed partial class CollisionScene
         return _objects.Ids[slot];
     }
 
-    /// <summary>Puts an object somewhere else. Setting the same pose keeps cached answers.</summary>
-    /// <param name="id">The object.</param>
-    /// <param name="pose">Its new pose.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    /// <exception cref="ArgumentException">The pose is a <c>default</c> struct.</exception>
-    public void Move(int id, in RigidPose pose)
-    {
-        int slot = _objects.Checked(id, nameof(id));
-        CheckPose(pose);
-        if (_objects.Poses[slot] == pose) return;
-        _objects.Poses[slot] = pose;
-        _objects.MovedAfter[slot] = _calls;
-        _phase.Move(slot, _objects.Bounds[slot].BoxAt(pose));
-    }
-
     /// <summary>Removes an object; its id is not given again.</summary>
     /// <param name="id">The object.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
@@ -157,12 +143,12 @@ public sealed partial class CollisionScene
         _ => throw new ArgumentOutOfRangeException("broadPhase", kind, "There is no such broad phase."),
     };
 
-    private static void CheckPose(in RigidPose pose)
+    private static void CheckPose(in RigidPose pose, string name = "pose")
     {
         if (pose.IsValid) return;
         const string message = "The pose is no rotation with a finite position. A default RigidPose has no rotation; "
             + "RigidPose.Identity has.";
-        throw new ArgumentException(message, nameof(pose));
+        throw new ArgumentException(message, name);
     }
 
     /// <summary>Closes up the arrays; the broad phase knows slots, so it begins again.</summary>
@@ -175,9 +161,10 @@ public sealed partial class CollisionScene
     }
 
     /// <summary>The pairs of slots that are tested, and whose bounds are within a distance.</summary>
-    private void CollectSlots(float distance, List<ObjectPair> pairs)
+    private void CollectSlots(float distance, List<ObjectPair> pairs, Workers? workers)
     {
-        _phase.CollectPairs(distance * MarginSlack, pairs);
+        Workers.Check(workers);
+        _phase.CollectPairs(distance * MarginSlack, pairs, workers);
         if (_objects.AreAllTested) return;
         int kept = 0;
         for (int i = 0; i < pairs.Count; i++)

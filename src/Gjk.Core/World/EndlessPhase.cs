@@ -22,6 +22,19 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects) : 
         if (!_endless.Contains(id)) bounded.Move(id, bounds);
     }
 
+    /// <summary>Moves what has a number; negative ones are left out, and none is there twice.</summary>
+    public void MoveAll(int[] ids, Aabb[] bounds, int count, Workers? workers)
+    {
+        if (bounded is DynamicAabbTree tree && _endless.Count == 0)
+        {
+            tree.MoveAll(ids, bounds, count, workers);
+            return;
+        }
+
+        for (int i = 0; i < count; i++)
+            if (ids[i] >= 0) Move(ids[i], bounds[i]);
+    }
+
     public void Remove(int id)
     {
         if (!_endless.Remove(id)) bounded.Remove(id);
@@ -33,10 +46,13 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects) : 
         bounded.Clear();
     }
 
+    public void CollectPairs(float margin, List<ObjectPair> pairs) => CollectPairs(margin, pairs, null);
+
     /// <summary>Two half-spaces are no pair.</summary>
-    public void CollectPairs(float margin, List<ObjectPair> pairs)
+    public void CollectPairs(float margin, List<ObjectPair> pairs, Workers? workers)
     {
-        bounded.CollectPairs(margin, pairs);
+        if (bounded is DynamicAabbTree tree) tree.CollectPairs(margin, pairs, workers);
+        else bounded.CollectPairs(margin, pairs);
         if (_endless.Count == 0) return;
         foreach (int one in _endless)
         {

@@ -9,6 +9,7 @@ internal sealed class World
 {
     private readonly MovingObjects _objects;
     private readonly CollisionScene _scene;
+    private readonly int[] _ids;
     private readonly Workers? _workers;
     private readonly List<ObjectPair> _candidates = [];
     private readonly List<ObjectPair> _pairs = [];
@@ -22,7 +23,7 @@ internal sealed class World
         HullVertices = shape.Hull!.VertexCount;
         _objects = new MovingObjects(scene, settings.Speed);
         _scene = new CollisionScene(settings.BroadPhase);
-        foreach (RigidPose pose in scene.Poses) _scene.Add(shape, pose);
+        _ids = [.. scene.Poses.Select(pose => _scene.Add(shape, pose))];
         _workers = workers;
     }
 
@@ -48,9 +49,8 @@ internal sealed class World
     {
         long bytes = GC.GetAllocatedBytesForCurrentThread();
         long start = Stopwatch.GetTimestamp();
-        RigidPose[] poses = _objects.Poses;
-        for (int i = 0; _objects.IsMoving && i < poses.Length; i++) _scene.Move(i, poses[i]);
-        _scene.CollectCandidates(_candidates);
+        if (_objects.IsMoving) _scene.MoveAll(_ids, _objects.Poses, _workers);
+        _scene.CollectCandidates(_candidates, 0, _workers);
         long middle = Stopwatch.GetTimestamp();
         _scene.FindOverlapsAmong(_candidates, _pairs, _workers);
         long end = Stopwatch.GetTimestamp();

@@ -79,7 +79,8 @@ public class WorldAllocationTests
         var firstHits = new RayHit[count];
         List<RayHit> rayHits = [];
         List<CastHit> castHits = [];
-        List<int> ids = [];
+        List<int> overlapping = [];
+        int[] ids = [.. Enumerable.Range(0, count)];
         var casts = new CastResult[pairs.Length];
         var rayResults = new RayCastResult[count];
         bool back = false;
@@ -87,9 +88,11 @@ public class WorldAllocationTests
         {
             RigidPose[] poses = back ? here : there;
             back = !back;
-            for (int i = 0; i < count; i++) scene.Move(i, poses[i]);
+            if (workers is null)
+                for (int i = 0; i < count; i++) scene.Move(i, poses[i]);
+            else scene.MoveAll(ids, poses, workers);
             scene.FindOverlaps(overlaps, workers);
-            scene.CollectCandidates(candidates);
+            scene.CollectCandidates(candidates, 0, workers);
             scene.FindOverlapsAmong(candidates, overlaps, workers);
             scene.FindPairsWithin(0.2f, within, workers);
             scene.FindDepths(within, workers);
@@ -101,7 +104,7 @@ public class WorldAllocationTests
                 scene.Distance(i, i + 1);
             }
 
-            AskPaths(scene, shapes, poses, rays, firstHits, rayHits, castHits, ids, workers);
+            AskPaths(scene, shapes, poses, rays, firstHits, rayHits, castHits, overlapping, workers);
             PairBatch.Cast(shapes, poses, motions, pairs, casts, 1, workers);
             RayBatch.RayCast(shapes[0], poses[0], rays, rayResults, workers);
             PairBatch.Overlaps(shapes, poses, pairs, statuses, workers);

@@ -1,0 +1,47 @@
+namespace Gjk.Core;
+
+public sealed partial class CollisionScene
+{
+    private readonly SceneMoves _moves;
+
+    /// <summary>Puts an object somewhere else. Setting the same pose keeps cached answers.</summary>
+    /// <param name="id">The object.</param>
+    /// <param name="pose">Its new pose.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    /// <exception cref="ArgumentException">The pose is a <c>default</c> struct.</exception>
+    public void Move(int id, in RigidPose pose)
+    {
+        int slot = _objects.Checked(id, nameof(id));
+        CheckPose(pose);
+        if (_objects.Poses[slot] == pose) return;
+        _objects.Poses[slot] = pose;
+        _objects.MovedAfter[slot] = _calls;
+        _phase.Move(slot, _objects.Bounds[slot].BoxAt(pose));
+    }
+
+    /// <summary>Puts many objects somewhere else, as <see cref="Move"/> does one by one, on several threads.</summary>
+    /// <param name="ids">The objects, in any order. If one is there twice, its last pose counts.</param>
+    /// <param name="poses">Their new poses, one for each.</param>
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    /// <exception cref="ArgumentNullException">An array is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with one of the ids, or no longer; the
+    /// parameter is named with its index.</exception>
+    /// <exception cref="ArgumentException">There are not as many poses as ids, or a pose is a <c>default</c> struct,
+    /// which is named with its index.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public void MoveAll(int[] ids, RigidPose[] poses, Workers? workers = null)
+    {
+        if (Guard.NotNull(poses, nameof(poses)).Length != Guard.NotNull(ids, nameof(ids)).Length)
+            throw new ArgumentException("There must be as many poses as ids.", nameof(poses));
+        Workers.Check(workers);
+        int refused = _moves.Prepare(ids, poses, workers);
+        if (refused >= 0)
+        {
+            _objects.Checked(ids[refused], FormattableString.Invariant($"{nameof(ids)}[{refused}]"));
+            CheckPose(poses[refused], FormattableString.Invariant($"{nameof(poses)}[{refused}]"));
+        }
+
+        _moves.Apply(poses, _calls, workers);
+        _phase.MoveAll(_moves.Slots, _moves.Boxes, ids.Length, workers);
+    }
+}
