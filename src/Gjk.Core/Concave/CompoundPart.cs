@@ -1,6 +1,6 @@
 namespace Gjk.Core;
 
-/// <summary>What a compound is made of: a convex shape, a surface or another compound, in its place. Immutable.</summary>
+/// <summary>A child of a compound: a convex shape, a surface or another compound, in its place. Immutable.</summary>
 [DebuggerDisplay("{" + nameof(Shape) + "} at {" + nameof(Pose) + "}")]
 public readonly struct CompoundPart
 {

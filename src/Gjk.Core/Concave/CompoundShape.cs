@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>The union of convex parts and triangles, each in its place, with a tree for queries. Build it once and share
-/// it: it is immutable, and any number of shapes and threads may use it. Parts keep the caller's numbers.</summary>
+/// <summary>The union of convex parts, each in its place, with a tree for queries. Build it once and share it: it is
+/// immutable, and any number of shapes and threads may use it. Parts keep the caller's numbers.</summary>
 /// <remarks>What it is made of are its children. Those of several parts are taken apart when it is built: parts have
 /// their numbers in the order of the children, and those of one child in its own order. Poses are composed in double,
 /// and no coordinate is rounded to float on the way, however deep a part was nested. A placed part takes some 600 to

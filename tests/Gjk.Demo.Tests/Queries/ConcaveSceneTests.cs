@@ -82,8 +82,8 @@ public sealed class ConcaveSceneTests
         """{"type":"compound","parts":[{"shape":{"type":"surface","mesh":"open","solid":true}}]}""",
         "$.objects[0].shape.parts[0].shape.solid", "cannot be a solid")]
     [InlineData(
-        """{"type":"compound","parts":[{"shape":{"type":"compound","parts":[{"shape":{"type":"mesh","mesh":"no"}}]}}]}""",
-        "$.objects[0].shape.parts[0].shape.parts[0].shape.mesh", "no mesh")]
+        """{"type":"compound","parts":[{"shape":{"type":"compound","parts":[{"shape":{"type":"halfspace"}}]}}]}""",
+        "$.objects[0].shape.parts[0].shape.parts[0].shape.normal", "missing")]
     [InlineData(
         """{"type":"compound","parts":[{"shape":{"type":"mesh","mesh":"no"}}]}""",
         "$.objects[0].shape.parts[0].shape.mesh", "no mesh")]
