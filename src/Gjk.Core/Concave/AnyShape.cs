@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>Any shape, convex or not, as one type: a convex shape, the surface of a triangle mesh, the solid inside a
-/// closed one, or a compound of convex parts.</summary>
+/// closed one, or a compound.</summary>
 /// <remarks>Immutable. Copies share the mesh or compound. Parts have numbers: those of the mesh's triangles or of the
 /// compound's parts, as the caller gave them; a convex shape's number is -1.</remarks>
 [DebuggerDisplay("{" + nameof(Kind) + "}, {" + nameof(PartCount) + "} parts")]
@@ -51,12 +51,12 @@ public readonly struct AnyShape
         return new AnyShape(AnyShapeKind.Solid, default, mesh, null);
     }
 
-    /// <summary>The union of convex parts.</summary>
+    /// <summary>The union of a compound's parts.</summary>
     /// <exception cref="ArgumentNullException">The compound is null.</exception>
     public static AnyShape Of(CompoundShape compound) =>
         new(AnyShapeKind.Compound, default, null, Guard.NotNull(compound, nameof(compound)));
 
-    /// <summary>How many parts it has: triangles, convex parts, or 1.</summary>
+    /// <summary>How many parts it has: triangles, a compound's parts, or 1.</summary>
     public int PartCount => Mesh?.TriangleCount ?? Compound?.PartCount ?? (Kind == AnyShapeKind.Convex ? 1 : 0);
 
     /// <summary>Volume, mass, centre of mass and inertia, as the convex shape, the solid mesh or the compound gives
@@ -72,6 +72,10 @@ public readonly struct AnyShape
         AnyShapeKind.Surface => throw new InvalidOperationException("A surface has no mass; make a solid of the mesh."),
         _ => _convex.GetMassProperties(density),
     };
+
+    /// <summary>A part as a convex shape of its own; of a convex shape the whole.</summary>
+    internal ConvexShape PartAt(int part) =>
+        Mesh is not null ? Mesh.GetShape(part) : Compound is not null ? Compound.Parts[part] : _convex;
 
     /// <summary>The convex shape, without a copy.</summary>
     internal static ref readonly ConvexShape ConvexOf(in AnyShape shape) => ref shape._convex;

@@ -1,26 +1,45 @@
 namespace Gjk.Core;
 
-/// <summary>A convex part of a compound, in its place. Immutable.</summary>
+/// <summary>A child of a compound: a convex shape, a surface or another compound, in its place. Immutable.</summary>
 [DebuggerDisplay("{" + nameof(Shape) + "} at {" + nameof(Pose) + "}")]
 public readonly struct CompoundPart
 {
-    /// <summary>The part's shape.</summary>
-    public readonly ConvexShape Shape;
+    /// <summary>The shape in its own frame.</summary>
+    public readonly AnyShape Shape;
 
     /// <summary>Where it is in the compound's frame.</summary>
     public readonly RigidPose Pose;
 
-    /// <summary>Makes a part.</summary>
+    /// <summary>A convex part.</summary>
     /// <param name="shape">Any convex shape that ends.</param>
     /// <param name="pose">Where it is in the compound's frame.</param>
     /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, or a half-space.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The pose is a <c>default</c> struct.</exception>
     public CompoundPart(in ConvexShape shape, in RigidPose pose)
+        : this(AnyShape.Of(shape), pose)
     {
-        if (shape.Kind == ShapeKind.None)
-            throw new ArgumentException("A default ConvexShape is no part.", nameof(shape));
-        if (shape.Kind == ShapeKind.HalfSpace)
+    }
+
+    /// <summary>All parts of a shape.</summary>
+    /// <param name="shape">A convex shape that ends, a surface or a compound. No solid: its inside is in none of its
+    /// triangles, and the parts are all that a compound has.</param>
+    /// <param name="pose">Where it is in the compound's frame.</param>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, a half-space or a solid.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The pose is a <c>default</c> struct.</exception>
+    public CompoundPart(in AnyShape shape, in RigidPose pose)
+    {
+        if (shape.Kind == AnyShapeKind.None)
+            throw new ArgumentException("A default AnyShape is no part.", nameof(shape));
+        if (AnyShape.ConvexOf(shape).Kind == ShapeKind.HalfSpace)
             throw new ArgumentException("A half-space has no end, and cannot be a part.", nameof(shape));
+        if (shape.Kind == AnyShapeKind.Solid)
+        {
+            throw new ArgumentException(
+                "A solid's inside is in none of its triangles, so it cannot be a part: split it into convex parts, or "
+                    + "make it an object of its own.",
+                nameof(shape));
+        }
+
         Shape = shape;
         Pose = Guard.Pose(pose, nameof(pose));
     }

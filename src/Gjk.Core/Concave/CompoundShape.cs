@@ -2,6 +2,10 @@ namespace Gjk.Core;
 
 /// <summary>The union of convex parts, each in its place, with a tree for queries. Build it once and share it: it is
 /// immutable, and any number of shapes and threads may use it. Parts keep the caller's numbers.</summary>
+/// <remarks>What it is made of are its children. Those of several parts are taken apart when it is built: parts have
+/// their numbers in the order of the children, and those of one child in its own order. Poses are composed in double,
+/// and no coordinate is rounded to float on the way, however deep a part was nested. A placed part takes some 600 to
+/// 800 bytes, a triangle of a surface too: ten times as much as in a <see cref="TriangleMesh"/>.</remarks>
 [DebuggerDisplay("{" + nameof(PartCount) + "} parts")]
 public sealed class CompoundShape
 {
@@ -11,50 +15,133 @@ public sealed class CompoundShape
 
     private readonly ConvexShape[] _parts;
 
+    /// <summary>Of each child: the number of its first part; then the number of parts.</summary>
+    private readonly int[] _firsts;
+
+    private readonly RigidPose[] _poses;
+
+    /// <summary>What this is a scaled copy of, with the children's poses before the scale; else null.</summary>
+    private readonly CompoundShape? _unscaled;
+
+    private readonly Vector3 _scale;
+
     /// <summary>The tree over the parts.</summary>
     internal readonly PartTree Tree;
 
     /// <summary>Builds a compound.</summary>
-    /// <param name="parts">At least one. Copied.</param>
+    /// <param name="parts">The children, at least one. Copied.</param>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
     /// <exception cref="ArgumentException">The list is empty, or holds a <c>default</c> struct.</exception>
     public CompoundShape(IReadOnlyList<CompoundPart> parts)
-        : this(Placed(Guard.NotNull(parts, nameof(parts))))
     {
-    }
-
-    private CompoundShape(ConvexShape[] parts)
-    {
-        _parts = parts;
-        Boxes = Array.ConvertAll(parts, part =>
-        {
-            Box(part, part.Margin, out Double3 min, out Double3 max);
-            return (min, max);
-        });
+        CompoundPart[] children = Copy(Guard.NotNull(parts, nameof(parts)));
+        _poses = Array.ConvertAll(children, child => child.Pose);
+        _firsts = new int[children.Length + 1];
+        for (int i = 0; i < children.Length; i++) _firsts[i + 1] = _firsts[i] + children[i].Shape.PartCount;
+        _parts = new ConvexShape[_firsts[children.Length]];
+        for (int i = 0; i < children.Length; i++)
+            for (int part = _firsts[i]; part < _firsts[i + 1]; part++)
+                _parts[part] = children[i].Shape.PartAt(part - _firsts[i]).Placed(_poses[i]);
+        Boxes = Array.ConvertAll(_parts, BoxOf);
         Tree = PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1);
     }
 
-    /// <summary>How many parts there are, at least one.</summary>
+    /// <summary>A compound whose children are elsewhere.</summary>
+    private CompoundShape(CompoundShape like, RigidPose[] poses)
+    {
+        (_firsts, _poses) = (like._firsts, poses);
+        _parts = (ConvexShape[])like._parts.Clone();
+        Boxes = ((Double3, Double3)[])like.Boxes.Clone();
+        for (int i = 0; i < poses.Length; i++)
+        {
+            for (int part = _firsts[i]; part < _firsts[i + 1] && poses[i] != like._poses[i]; part++)
+            {
+                _parts[part] = _parts[part].PlacedAnew(like._poses[i], poses[i]);
+                Boxes[part] = BoxOf(_parts[part]);
+            }
+        }
+
+        Tree = PartTreeRefit.Fit(Source, like.Tree);
+    }
+
+    /// <summary>A compound that is scaled.</summary>
+    private CompoundShape(CompoundShape unscaled, Vector3 scale, PartTree? like)
+    {
+        (_firsts, _poses, _unscaled, _scale) = (unscaled._firsts, unscaled._poses, unscaled, scale);
+        _parts = Array.ConvertAll(unscaled._parts, part => part.Scaled(scale));
+        Boxes = Array.ConvertAll(_parts, BoxOf);
+        Tree = like is null
+            ? PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1)
+            : PartTreeRefit.Fit(Source, like);
+    }
+
+    /// <summary>How many convex parts and triangles there are, at least one.</summary>
     public int PartCount => _parts.Length;
 
+    /// <summary>How many shapes it was made of, at least one.</summary>
+    public int ChildCount => _poses.Length;
+
     /// <summary>A part, placed in the compound's frame.</summary>
-    /// <param name="index">From 0 to <see cref="PartCount"/> - 1, as given.</param>
+    /// <param name="index">From 0 to <see cref="PartCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such part.</exception>
-    public ConvexShape GetPart(int index)
+    public ConvexShape GetPart(int index) => _parts[Checked(index, _parts.Length, nameof(index))];
+
+    /// <summary>The child that a part is of.</summary>
+    /// <param name="part">From 0 to <see cref="PartCount"/> - 1, as results name it.</param>
+    /// <param name="partOfChild">The number that the part has in the child, from 0: a triangle of a mesh, a part of a
+    /// compound; 0 of a convex shape.</param>
+    /// <returns>From 0 to <see cref="ChildCount"/> - 1, as given.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such part.</exception>
+    public int GetChild(int part, out int partOfChild)
     {
-        if ((uint)index >= (uint)_parts.Length)
-            throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such part.");
-        return _parts[index];
+        int found = Array.BinarySearch(_firsts, Checked(part, _parts.Length, nameof(part)));
+        int child = found < 0 ? ~found - 1 : found;
+        partOfChild = part - _firsts[child];
+        return child;
+    }
+
+    /// <summary>Where a child is in the compound's frame, before its <see cref="Scaled"/>.</summary>
+    /// <param name="child">From 0 to <see cref="ChildCount"/> - 1, as given.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such child.</exception>
+    public RigidPose GetPose(int child) => _poses[Checked(child, _poses.Length, nameof(child))];
+
+    /// <summary>The same compound with a child elsewhere; <see cref="WithPoses"/> moves several at once.</summary>
+    /// <param name="child">From 0 to <see cref="ChildCount"/> - 1, as given.</param>
+    /// <param name="pose">Where the child is in the compound's frame, before its <see cref="Scaled"/>.</param>
+    /// <returns>As of <see cref="WithPoses"/>.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such child, or the pose is a <c>default</c>
+    /// struct.</exception>
+    public CompoundShape WithPose(int child, in RigidPose pose)
+    {
+        Checked(child, _poses.Length, nameof(child));
+        var poses = (RigidPose[])_poses.Clone();
+        poses[child] = Guard.Pose(pose, nameof(pose));
+        return Moved(poses);
+    }
+
+    /// <summary>The same compound with its children elsewhere, as the limbs of a body that moves.</summary>
+    /// <param name="poses">Where each child is in the compound's frame, before its <see cref="Scaled"/>; as many as
+    /// there are children. Copied.</param>
+    /// <returns>A compound with the same numbers and the answers of a new one. Its tree keeps its form and is fitted to
+    /// the new places: that is faster than a new build, and takes some 500 bytes for each part of the compound, and 300
+    /// more for each that moves. Build anew where parts have moved far from their neighbours.</returns>
+    /// <exception cref="ArgumentNullException">The list is null.</exception>
+    /// <exception cref="ArgumentException">There are more or fewer poses.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A pose is a <c>default</c> struct.</exception>
+    public CompoundShape WithPoses(IReadOnlyList<RigidPose> poses)
+    {
+        if (Guard.NotNull(poses, nameof(poses)).Count != _poses.Length)
+            throw new ArgumentException($"There must be {_poses.Length} poses.", nameof(poses));
+        var copy = new RigidPose[_poses.Length];
+        for (int i = 0; i < copy.Length; i++) copy[i] = Guard.Pose(poses[i], nameof(poses));
+        return Moved(copy);
     }
 
     /// <summary>The same parts scaled about the compound's origin.</summary>
     /// <param name="scale">Along its axes; negative factors mirror.</param>
+    /// <returns>A compound that keeps this one, so that its children can still be moved.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A factor is 0, NaN or infinite.</exception>
-    public CompoundShape Scaled(Vector3 scale)
-    {
-        Guard.Scale(scale, nameof(scale));
-        return new CompoundShape(Array.ConvertAll(_parts, part => part.Scaled(scale)));
-    }
+    public CompoundShape Scaled(Vector3 scale) => new(this, Guard.Scale(scale, nameof(scale)), null);
 
     /// <summary>Volume, mass, centre of mass and inertia: the sum of the parts, so that what lies in two of them counts
     /// twice.</summary>
@@ -89,20 +176,33 @@ public sealed class CompoundShape
         max = shape.Center + max + all;
     }
 
-    private static ConvexShape[] Placed(IReadOnlyList<CompoundPart> parts)
+    private CompoundShape Moved(RigidPose[] poses) => _unscaled is null
+        ? new CompoundShape(this, poses)
+        : new CompoundShape(_unscaled.Moved(poses), _scale, Tree);
+
+    private static (Double3 Min, Double3 Max) BoxOf(ConvexShape part)
     {
-        var placed = new ConvexShape[Math.Max(parts.Count, 0)];
-        if (placed.Length == 0) throw new ArgumentException("At least one part is needed.", nameof(parts));
-        for (int i = 0; i < placed.Length; i++)
+        Box(part, part.Margin, out Double3 min, out Double3 max);
+        return (min, max);
+    }
+
+    private static CompoundPart[] Copy(IReadOnlyList<CompoundPart> parts)
+    {
+        var copy = new CompoundPart[Math.Max(parts.Count, 0)];
+        if (copy.Length == 0) throw new ArgumentException("At least one part is needed.", nameof(parts));
+        for (int i = 0; i < copy.Length; i++)
         {
-            CompoundPart part = parts[i];
-            if (part.Shape.Kind == ShapeKind.None)
+            copy[i] = parts[i];
+            if (copy[i].Shape.Kind == AnyShapeKind.None)
                 throw new ArgumentException($"Part {i} is a default struct.", nameof(parts));
-            placed[i] = part.Shape.Placed(part.Pose);
         }
 
-        return placed;
+        return copy;
     }
+
+    private static int Checked(int index, int count, string name) => (uint)index < (uint)count
+        ? index
+        : throw new ArgumentOutOfRangeException(name, index, $"There are {count}, counted from 0.");
 
     private sealed class PartSource(CompoundShape compound) : IPartSource
     {

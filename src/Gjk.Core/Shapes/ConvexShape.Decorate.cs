@@ -83,6 +83,10 @@ public readonly partial struct ConvexShape
         return new(this, new Placement(pose, _parts.Placement, _center));
     }
 
+    /// <summary>What was placed at a pose last, placed at another one instead.</summary>
+    internal ConvexShape PlacedAnew(in RigidPose from, in RigidPose to) =>
+        (from == RigidPose.Identity ? this : new ConvexShape(this, _parts.Placement!.Before)).Placed(to);
+
     /// <summary>The same shape with its y axis along z, as FCL, coal, Drake and MuJoCo have their cylinders, capsules
     /// and cones: what lies along x, y and z comes to lie along y, z and x. That turn is exact.</summary>
     /// <exception cref="InvalidOperationException">This is a <c>default</c> struct.</exception>

@@ -3,7 +3,7 @@ using Gjk.Core;
 
 namespace Gjk.Demo.Scenes;
 
-/// <summary>A part of a compound as it was read: a convex shape in its place.</summary>
+/// <summary>A child of a compound as it was read: a shape in its place.</summary>
 internal sealed class PartReader
 {
     private Vector3 _position;
@@ -52,9 +52,8 @@ internal sealed class PartReader
     private void ReadShape(ref StrictJsonReader json)
     {
         Shape = ShapeReader.Read(ref json);
-        if (Shape.IsConvex && !Shape.IsEndless) return;
-        json.Path.Enter("type");
-        throw json.Refuse(
-            Shape.IsEndless ? "a part of a compound cannot be a half-space" : "a part of a compound must be convex");
+        if (!Shape.IsEndless && !Shape.IsSolid) return;
+        json.Path.Enter(Shape.IsSolid ? "solid" : "type");
+        throw json.Refuse($"a part of a compound cannot be a {(Shape.IsSolid ? "solid" : "half-space")}");
     }
 }

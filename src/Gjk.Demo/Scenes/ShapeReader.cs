@@ -69,6 +69,9 @@ internal sealed class ShapeReader
     /// <summary>Whether the shape is neither a surface nor a compound.</summary>
     public bool IsConvex => _type is not ("surface" or "compound");
 
+    /// <summary>Whether the inside of a surface counts, too.</summary>
+    public bool IsSolid => _isSolid;
+
     /// <summary>Whether the shape has no end.</summary>
     public bool IsEndless => _type == "halfspace";
 
@@ -203,7 +206,10 @@ internal sealed class ShapeReader
         {
             json.Path.Enter(i);
             json.Path.Enter("shape");
-            parts[i] = new CompoundPart(_parts[i].Shape.Build(json, meshes), _parts[i].Pose);
+            ShapeReader shape = _parts[i].Shape;
+            parts[i] = new CompoundPart(
+                shape.IsConvex ? AnyShape.Of(shape.Build(json, meshes)) : shape.BuildConcave(json, meshes, Vector3.One),
+                _parts[i].Pose);
             json.Path.Leave();
             json.Path.Leave();
         }

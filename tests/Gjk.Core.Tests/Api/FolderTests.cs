@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 119,
         ["Batch"] = 165,
         ["BroadPhase"] = 1017,
-        ["Concave"] = 2727,
+        ["Concave"] = 2776,
         ["Concave/Trees"] = 625,
         ["Contacts"] = 966,
         ["Cores"] = 571,

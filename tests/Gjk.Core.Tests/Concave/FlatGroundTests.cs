@@ -11,14 +11,16 @@ public class FlatGroundTests
     /// <summary>Cosines: what tilts a normal by 2e-3, more than a body that is rocked by 1e-4 does.</summary>
     private const float Straight = 1 - 2e-6f;
 
+    private static readonly string[] Sheets = ["two triangles", "field", "compound of two", "compound of a field"];
+
     public static TheoryData<string, string> Pairs
     {
         get
         {
             var pairs = new TheoryData<string, string>();
-            foreach (string ground in new[] { "two triangles", "field", "box", "tiles", "planks", "plates" })
+            foreach (string ground in Sheets.Concat(["box", "tiles", "planks", "plates"]))
                 foreach (string body in new[] { "solid", "surface", "flush boxes", "box" })
-                    if (body != "surface" || ground is not ("two triangles" or "field")) pairs.Add(ground, body);
+                    if (body != "surface" || !Sheets.Contains(ground)) pairs.Add(ground, body);
             return pairs;
         }
     }
@@ -31,7 +33,7 @@ public class FlatGroundTests
         var scratch = new ConcaveScratch();
         var contacts = new List<PairContacts>();
         var rng = new Rng((ulong)(ground.Length + 100 * body.Length));
-        bool isSheet = ground is "two triangles" or "field";
+        bool isSheet = Sheets.Contains(ground);
         float[] tilts = isSheet ? [1e-7f, 1e-6f, 1e-5f] : [1e-6f, 1e-3f, 0.1f, 3];
         int count = Budget.Count(isSheet ? 60 : 12);
 
@@ -68,11 +70,23 @@ public class FlatGroundTests
                 }
     }
 
+    /// <summary>Its triangles as parts, placed a second time where they were.</summary>
+    private static AnyShape InCompound(in AnyShape sheet)
+    {
+        var turn = new Quaternion(0, 0.6f, 0, 0.8f);
+        var inner = new CompoundShape([new CompoundPart(sheet, new RigidPose(turn, Vector3.Zero))]);
+        return AnyShape.Of(
+            new CompoundShape(
+                [new CompoundPart(AnyShape.Of(inner), new RigidPose(Quaternion.Conjugate(turn), Vector3.Zero))]));
+    }
+
     private static AnyShape Ground(string name) => name switch
     {
         "two triangles" => AnyShape.Surface(new TriangleMesh(
             [new(-5, 0, -5), new(5, 0, -5), new(-5, 0, 5), new(5, 0, 5)], [0, 2, 1, 1, 2, 3])),
         "field" => AnyShape.Surface(ConcaveShapes.Grid(12).Scaled(new Vector3(5, 1, 5))),
+        "compound of two" => InCompound(Ground("two triangles")),
+        "compound of a field" => InCompound(Ground("field")),
         "box" => AnyShape.Of(ConvexShape.Box(new Vector3(5, 3, 5)).Placed(new RigidPose(new Vector3(0, -3, 0)))),
         "tiles" => Tiles(0.25f, 0.25f, 0.5f),
         "planks" => Tiles(2.5f, 0.5f, 4),

@@ -26,7 +26,8 @@ public class HeightFieldTests
                 AnyShape other = ConcaveShapes.Any(random);
                 RigidPose at = ConcaveShapes.Pose(random, 1.5), pose = ConcaveShapes.Pose(random, 0.5);
                 Assert.Equal(
-                    Answers(AnyShape.Surface(mesh), pose, other, at), Answers(AnyShape.Surface(grid), pose, other, at));
+                    ConcaveAnswers.Of(_scratch, AnyShape.Surface(mesh), pose, other, at),
+                    ConcaveAnswers.Of(_scratch, AnyShape.Surface(grid), pose, other, at));
             }
         }
     }
@@ -97,8 +98,8 @@ public class HeightFieldTests
             {
                 AnyShape other = ConcaveShapes.Any(random);
                 RigidPose at = ConcaveShapes.Pose(random, 1.5), pose = ConcaveShapes.Pose(random, 0.5);
-                string[] expected = Answers(AnyShape.Surface(built), pose, other, at);
-                string[] found = Answers(AnyShape.Surface(moved), pose, other, at);
+                string[] expected = ConcaveAnswers.Of(_scratch, AnyShape.Surface(built), pose, other, at);
+                string[] found = ConcaveAnswers.Of(_scratch, AnyShape.Surface(moved), pose, other, at);
 
                 // Which of equally near pairs is named depends on the tree, and so do bounds and points.
                 Assert.Equal(expected[1..], found[1..]);
@@ -151,21 +152,5 @@ public class HeightFieldTests
         for (CornerRing ring = mesh.SidesAt(side); ring.MoveNext();) Assert.True(sides.Add(ring.Current));
         Assert.Contains(side, sides);
         return sides;
-    }
-
-    private string[] Answers(in AnyShape shape, in RigidPose pose, in AnyShape other, in RigidPose at)
-    {
-        PairDistance distance = ConcaveQuery.Distance(shape, pose, other, at, _scratch);
-        CastHit cast = ConcaveQuery.Cast(shape, pose, default, other, at, pose.Position - at.Position, _scratch);
-        RayHit hit = ConcaveQuery.RayCast(shape, pose, at.Position, pose.Position - at.Position, _scratch);
-        List<PairContacts> contacts = [];
-        ConcaveQuery.FindContacts(shape, pose, other, at, 0.05f, _scratch, contacts);
-        List<PairDistance> pairs = [];
-        ConcaveQuery.FindPairsWithin(shape, pose, other, at, 0.05f, _scratch, pairs);
-        return
-        [
-            distance.ToString(), distance.Distance.ToString("R"), cast.ToString(), hit.ToString(),
-            string.Join("; ", contacts), string.Join("; ", pairs),
-        ];
     }
 }

@@ -38,6 +38,54 @@ internal static class ConcaveShapes
         return new CompoundShape(parts);
     }
 
+    /// <summary>A compound of convex shapes, surfaces and compounds.</summary>
+    /// <param name="random">What draws it.</param>
+    /// <param name="depth">How many compounds may be in each other.</param>
+    /// <param name="parts">To which each part is added as a shape of its own, placed once for each compound around
+    /// it.</param>
+    /// <param name="children">To which is added of which child a part is, and which of it.</param>
+    public static CompoundShape Nested(
+        FuzzRandom random, int depth, List<ConvexShape> parts, List<(int Child, int Part)>? children = null)
+    {
+        var list = new CompoundPart[1 + random.Below(4)];
+        for (int i = 0; i < list.Length; i++)
+        {
+            RigidPose pose = random.OneIn(4) ? RigidPose.Identity : Pose(random, 0.6);
+            AnyShape shape = Child(random, depth, out List<ConvexShape> own);
+            list[i] = new CompoundPart(shape, pose);
+            for (int part = 0; part < own.Count; part++)
+            {
+                parts.Add(own[part].Placed(pose));
+                children?.Add((i, part));
+            }
+        }
+
+        return new CompoundShape(list);
+    }
+
+    private static AnyShape Child(FuzzRandom random, int depth, out List<ConvexShape> parts)
+    {
+        if (depth > 0 && random.OneIn(2))
+        {
+            parts = [];
+            CompoundShape nested = Nested(random, depth - 1, parts);
+            if (random.OneIn(2)) return AnyShape.Of(nested);
+            Vector3 scale = random.Factors(0.5, 1.5);
+            parts = parts.ConvertAll(part => part.Scaled(scale));
+            return AnyShape.Of(nested.Scaled(scale));
+        }
+
+        AnyShape shape = random.Below(4) switch
+        {
+            0 => AnyShape.Surface(Soup(random, random.Of(1, 5, 12), 0.3)),
+            1 => AnyShape.Surface(Torus(4, 3).Scaled(random.Factors(0.2, 0.6))),
+            2 => AnyShape.Of(ConvexShape.Capsule(0.1f, 0.2f)),
+            _ => AnyShape.Of(ConvexShape.Box(random.Vector(0.1) + new Vector3(0.2f)).Rounded(random.Of(0, 0.05f))),
+        };
+        parts = Parts(shape);
+        return shape;
+    }
+
     /// <summary>Any of the kinds.</summary>
     public static AnyShape Any(FuzzRandom random) => random.Below(6) switch
     {

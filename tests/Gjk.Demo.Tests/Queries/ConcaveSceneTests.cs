@@ -32,6 +32,29 @@ public sealed class ConcaveSceneTests
         Assert.EndsWith(",,1", rows[3]);
     }
 
+    /// <summary>Four triangles, then a box that is placed twice.</summary>
+    [Fact]
+    public void CompoundsAreNested()
+    {
+        string[] rows = Query(
+            $$"""
+            {"version":1,"meshes":{"t":{{Tetrahedron}}},"objects":[
+              {"shape":{"type":"compound","parts":[
+                {"shape":{"type":"surface","mesh":"t"},"position":[0,0,-9]},
+                {"shape":{"type":"compound","parts":[
+                  {"shape":{"type":"point"},"position":[0,0,50]},
+                  {"shape":{"type":"box","halfExtents":[1,1,1]},"position":[0,3,0]}]},
+                 "position":[0,0,2],"rotation":[1,0,0,0]}]},"scale":2},
+              {"shape":{"type":"point"},"position":[0,-12,4]},
+              {"shape":{"type":"point"},"position":[0.5,0.5,-21]}],"pairs":[[0,1],[0,2]]}
+            """,
+            "--parts");
+        Assert.StartsWith("0,1,Separated,false,4,", rows[1]);
+        Assert.EndsWith(",5,", rows[1]);
+        Assert.StartsWith("0,2,Separated,false,3,", rows[2]);
+        Assert.EndsWith(",0,", rows[2]);
+    }
+
     [Theory]
     [InlineData("", "false", false)]
     [InlineData(",\"solid\":true", "true", true)]
@@ -56,8 +79,11 @@ public sealed class ConcaveSceneTests
     [InlineData("""{"type":"compound","parts":[]}""", "$.objects[0].shape.parts", "at least one")]
     [InlineData("""{"type":"compound","parts":[{}]}""", "$.objects[0].shape.parts[0].shape", "missing")]
     [InlineData(
-        """{"type":"compound","parts":[{"shape":{"type":"surface","mesh":"open"}}]}""",
-        "$.objects[0].shape.parts[0].shape.type", "convex")]
+        """{"type":"compound","parts":[{"shape":{"type":"surface","mesh":"open","solid":true}}]}""",
+        "$.objects[0].shape.parts[0].shape.solid", "cannot be a solid")]
+    [InlineData(
+        """{"type":"compound","parts":[{"shape":{"type":"compound","parts":[{"shape":{"type":"halfspace"}}]}}]}""",
+        "$.objects[0].shape.parts[0].shape.parts[0].shape.normal", "missing")]
     [InlineData(
         """{"type":"compound","parts":[{"shape":{"type":"mesh","mesh":"no"}}]}""",
         "$.objects[0].shape.parts[0].shape.mesh", "no mesh")]

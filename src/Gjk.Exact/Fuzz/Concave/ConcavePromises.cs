@@ -15,7 +15,7 @@ internal static class ConcavePromises
         new("the answer depends on the pair alone", SameConcave.Again),
         new("a warm start does not change the distance", SameConcave.Warm),
         new("exchanging A and B mirrors the answer", SameConcave.Swapped),
-        new("moved vertices are answered like a new mesh", SameConcave.Refit),
+        new("moved vertices and parts are answered like new ones", SameConcave.Refit),
         new("a ray meets the parts in their order", FirstOfParts.Rays),
         new("a cast finds the first touch of any parts", FirstOfParts.Casts),
         new("a time of impact is the least of all parts", FirstOfParts.Impacts),

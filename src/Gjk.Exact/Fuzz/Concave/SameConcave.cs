@@ -48,22 +48,37 @@ internal static class SameConcave
         return Math.Abs((double)r.Distance - s.Distance) <= band ? null : Say.Line($"{r}, exchanged {s}");
     }
 
-    /// <summary>A mesh whose vertices were elsewhere, and a tree that was made for those.</summary>
+    /// <summary>A mesh whose vertices were elsewhere, or a compound of a compound that was, and a tree that was made
+    /// for those.</summary>
     public static string? Refit(ConcavePair pair)
     {
-        if (pair.RawA.Triangles is not { } triangles) return null;
+        if (pair.RawA.IsConvex || pair.RawA.IsSolid) return null;
         FuzzRandom random = pair.Random(5);
+        if (pair.RawA.Triangles is not { } triangles) return Moved(pair, AnyShape.Of(Regrouped(random, pair.RawA)));
         float size = random.Float(0, 0.5);
         TriangleSoup elsewhere = triangles.Moved(p => p + size * (p - triangles.Points[0]) * random.Float(-1, 1));
         foreach (Vector3 p in elsewhere.Points)
             if (!float.IsFinite(p.LengthSquared())) return null;
         TriangleMesh mesh = elsewhere.Build().WithVertices(triangles.Points);
         if (pair.RawA.Scale != Vector3.One) mesh = mesh.Scaled(pair.RawA.Scale);
-        PairDistance found = ConcaveQuery.Distance(
-            AnyShape.Surface(mesh), pair.PoseA, pair.B, pair.PoseB, pair.Scratch);
-        return pair.RawA.IsSolid || found.Distance == pair.Answer.Distance
-            ? null
-            : Say.Line($"moved: {found}, new: {pair.Answer}");
+        return Moved(pair, AnyShape.Surface(mesh));
+    }
+
+    private static CompoundShape Regrouped(FuzzRandom random, RawShape shape)
+    {
+        CompoundPart[] parts = [.. shape.Parts.Select(p => new CompoundPart(p.Build(), p.Pose))];
+        int grouped = 1 + random.Below(parts.Length);
+        var elsewhere = new RigidPose(Rotations.Any(random), random.Vector(1));
+        var group = new CompoundPart(AnyShape.Of(new CompoundShape(parts[..grouped])), elsewhere);
+        var nested = new CompoundShape([group, .. parts[grouped..]]);
+        if (shape.Scale != Vector3.One) nested = nested.Scaled(shape.Scale);
+        return nested.WithPose(0, RigidPose.Identity);
+    }
+
+    private static string? Moved(ConcavePair pair, in AnyShape moved)
+    {
+        PairDistance found = ConcaveQuery.Distance(moved, pair.PoseA, pair.B, pair.PoseB, pair.Scratch);
+        return found.Distance == pair.Answer.Distance ? null : Say.Line($"moved: {found}, new: {pair.Answer}");
     }
 
     private static string? Problem(ConcavePair pair, in PairDistance other, string name) =>
