@@ -2,8 +2,9 @@ namespace Gjk.Core;
 
 /// <summary>Any shape, convex or not, as one type: a convex shape, the surface of a triangle mesh, the solid inside a
 /// closed one, or a compound.</summary>
-/// <remarks>Immutable. Copies share the mesh or compound. Parts have numbers: those of the mesh's triangles or of the
-/// compound's parts, as the caller gave them; a convex shape's number is -1.</remarks>
+/// <remarks>Immutable, but for the heights of a mesh (<see cref="HeightField.SetHeights"/>). Copies share the mesh or
+/// compound. Parts have numbers: those of the mesh's triangles or of the compound's parts, as the caller gave them; a
+/// convex shape's number is -1.</remarks>
 [DebuggerDisplay("{" + nameof(Kind) + "}, {" + nameof(PartCount) + "} parts")]
 public readonly struct AnyShape
 {

@@ -46,12 +46,12 @@ internal sealed class MeshTopology
         a == b || b == c || c == a || predicates.AreCollinear(a, b, c);
 
     /// <summary>What is known of a grid without a look: its outline is open.</summary>
-    public MeshTopology(int columns, int rows)
+    public MeshTopology(int columns, int rows, bool isZUp)
     {
         (_corners, _indices, _component, Around) = ([], [], [], []);
         BorderEdges = 2 * (columns + rows - 2);
         IsClosed = false;
-        (FaultyA, FaultyB, FaultyAlong) = (0, columns, 1);
+        (FaultyA, FaultyB, FaultyAlong) = (0, isZUp ? 1 : columns, 1);
         Components = [0];
     }
 

@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>How a body that begins inside a solid gets out, over the solid's outside.</summary>
 /// <remarks>A triangle of a solid has one side. A part of the body whose middle is outside leaves by the depth of the
 /// two parts, where that leads outward: the deepest of them counts, as on a surface. One whose middle is inside leaves
-/// over the face that takes least, of those that it overlaps and the one that is nearest to its middle: it is lifted
+/// over the face that takes least, of those that it overlaps and those that are nearest to its middle: it is lifted
 /// across the face's plane. Of several parts of the body the deepest counts. Of two solids, what is behind that face
 /// without touching it leaves, too, and the shorter way out counts.</remarks>
 internal static class SolidExit
@@ -111,24 +111,28 @@ internal static class SolidExit
         return deepest.Depth > 0 ? deepest : least;
     }
 
-    /// <summary>Takes the way across the triangle that is nearest to a point of a part, if that is less.</summary>
+    /// <summary>Takes the way across the triangle that is nearest to a point of a part, if that is less; of several
+    /// that are equally near, as at an edge, across that which takes least.</summary>
     private static void TryNearest(
         ConcaveScratch scratch, PartSide outer, PartSide inner, int part, in Double3 point, bool isWhole,
         ref Exit least)
     {
         ConcaveScratch other = scratch.Rent();
         var shared = (Vector3)point;
-        int triangle = ConcaveQuery.Distance(AnyShape.Surface(outer.Mesh!), outer.Pose, shared, other).PartA;
-        scratch.Return(other);
-        if (triangle < 0
-            || !outer.Mesh!.TryGetOutward(triangle, outer.Pose, out Double3 outward, out Double3 corner))
+        AnyShape surface = AnyShape.Surface(outer.Mesh!), alone = AnyShape.Of(ConvexShape.Point());
+        float distance = ConcaveQuery.Distance(surface, outer.Pose, shared, other).Distance;
+        ConcaveQuery.FindPairsWithin(
+            surface, outer.Pose, alone, new RigidPose(shared), distance, other, other.Pairs);
+        for (int i = 0; i < other.Pairs.Count; i++)
         {
-            return;
+            int triangle = other.Pairs[i].PartA;
+            if (!outer.Mesh!.TryGetOutward(triangle, outer.Pose, out Double3 outward, out Double3 corner)) continue;
+            double lift = Double3.Dot(outward, corner) + Reach(inner, part, -outward, isWhole);
+            if (lift > 0 && (least.Depth == 0 || lift < least.Depth))
+                least = new Exit(lift, outward, shared, triangle, part);
         }
 
-        double lift = Double3.Dot(outward, corner) + Reach(inner, part, -outward, isWhole);
-        if (lift > 0 && (least.Depth == 0 || lift < least.Depth))
-            least = new Exit(lift, outward, shared, triangle, part);
+        scratch.Return(other);
     }
 
     /// <summary>How much further along a direction than a triangle the solid reaches that it is of: what is behind the

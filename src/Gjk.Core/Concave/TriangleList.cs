@@ -1,10 +1,10 @@
 namespace Gjk.Core;
 
 /// <summary>Vertices, and which of them each triangle has: lists as they were given, or the cells of a grid.</summary>
-/// <remarks>A grid has a vertex for each height, row by row: x is the column times the spacing, z the row times the
-/// spacing, both rounded to float. A cell is cut from its corner with the greater x to that with the greater z. Its
-/// triangles are 2 cell, with the corner of least x and z, and 2 cell + 1; both are counter-clockwise seen from
-/// above.</remarks>
+/// <remarks>A grid has a vertex for each height, row by row: x is the column times the spacing, z (y where z is up) the
+/// row times the spacing, both rounded to float. A cell is cut from its corner in the next column to that in the next
+/// row. Its triangles are 2 cell, with the corner of the least column and row, and 2 cell + 1; both are
+/// counter-clockwise seen from above.</remarks>
 internal sealed class TriangleList
 {
     private readonly Vector3[] _vertices;
@@ -12,6 +12,7 @@ internal sealed class TriangleList
     private readonly float[]? _heights;
     private readonly int _columns;
     private readonly Vector2 _spacing;
+    private readonly bool _isZUp;
 
     public TriangleList(Vector3[] vertices, int[] indices)
     {
@@ -19,9 +20,10 @@ internal sealed class TriangleList
         (VertexCount, SideCount) = (vertices.Length, indices.Length);
     }
 
-    public TriangleList(float[] heights, int columns, Vector2 spacing)
+    public TriangleList(float[] heights, int columns, Vector2 spacing, bool isZUp)
     {
-        (_vertices, _indices, _heights, _columns, _spacing) = ([], [], heights, columns, spacing);
+        (_vertices, _indices, _heights, _columns) = ([], [], heights, columns);
+        (_spacing, _isZUp) = (spacing, isZUp);
         VertexCount = heights.Length;
         SideCount = 6 * (Rows - 1) * (columns - 1);
     }
@@ -69,6 +71,7 @@ internal sealed class TriangleList
         (a, b, c) = side == 6 * cell
             ? (at, at + _columns, at + 1)
             : (at + 1, at + _columns, at + _columns + 1);
+        if (_isZUp) (b, c) = (c, b);
     }
 
     /// <summary>The vertex at which a side begins.</summary>
@@ -85,12 +88,28 @@ internal sealed class TriangleList
         bool isFirst = side == 6 * cell;
         Vector3 right = Vertex(at + 1, row, column + 1), far = Vertex(at + _columns, row + 1, column);
         a = isFirst ? Vertex(at, row, column) : right;
-        b = far;
-        c = isFirst ? right : Vertex(at + _columns + 1, row + 1, column + 1);
+        Vector3 other = isFirst ? right : Vertex(at + _columns + 1, row + 1, column + 1);
+        (b, c) = _isZUp ? (other, far) : (far, other);
     }
 
-    private Vector3 Vertex(int index, int row, int column) =>
-        new(column * _spacing.X, _heights![index], row * _spacing.Y);
+    private Vector3 Vertex(int index, int row, int column)
+    {
+        float x = column * _spacing.X, across = row * _spacing.Y, height = _heights![index];
+        return _isZUp ? new Vector3(x, across, height) : new Vector3(x, height, across);
+    }
+
+    /// <summary>Changes the height of a vertex: along z, or else along y.</summary>
+    public void SetHeight(int vertex, float height, bool isZUp)
+    {
+        if (_heights is not null) _heights[vertex] = height;
+        else if (isZUp) _vertices[vertex].Z = height;
+        else _vertices[vertex].Y = height;
+    }
+
+    /// <summary>The same with vertices of its own.</summary>
+    public TriangleList Copy() => _heights is not null
+        ? new TriangleList((float[])_heights.Clone(), _columns, _spacing, _isZUp)
+        : new TriangleList((Vector3[])_vertices.Clone(), _indices);
 
     /// <summary>Three vertices of each triangle.</summary>
     public int[] CopyIndices()
@@ -116,6 +135,7 @@ internal sealed class TriangleList
         };
         int row = vertex / _columns, column = vertex - row * _columns - columnsBack, across = _columns - 1;
         row -= rowsBack;
+        if (_isZUp && side % 3 != 0) side += side % 3 == 1 ? 1 : -1;
         bool isInside = row >= 0 && row < Rows - 1 && column >= 0 && column < across;
         return isInside ? 6 * (row * across + column) + side : -1;
     }

@@ -4,9 +4,6 @@ namespace Gjk.Core;
 
 public sealed partial class TriangleMesh
 {
-    /// <summary>Count: between more lines of a grid there may be no float.</summary>
-    private const int MostLines = 1 << 22;
-
     /// <summary>Builds a mesh, or says why it cannot.</summary>
     /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
     /// <param name="indices">Three for each triangle, at least one triangle. Copied.</param>
@@ -26,51 +23,11 @@ public sealed partial class TriangleMesh
         return true;
     }
 
-    /// <summary>A height field: a surface over the cells of a grid, which keeps the heights alone and no list of
-    /// triangles.</summary>
-    /// <param name="heights">Row by row, all finite: vertex i is at x = (i % columns) · spacing.X, y = heights[i], z =
-    /// (i / columns) · spacing.Y, x and z rounded to float. Copied.</param>
-    /// <param name="columns">How many heights a row has; at least 2, and there are at least 2 whole rows.</param>
-    /// <param name="spacing">Between columns, along x, and between rows, along z; positive.</param>
-    /// <returns>A mesh with two triangles for each cell, row by row, cut from the cell's corner with the greater x to
-    /// that with the greater z: 2 · cell is the one at the least x and z. Both look up along y. Its answers are those
-    /// of the mesh of the same triangles, to the last bit. For holes make a mesh of the triangles that are
-    /// there.</returns>
-    /// <exception cref="ArgumentNullException">The list is null.</exception>
-    /// <exception cref="ArgumentException">The heights are no grid, or one of them is NaN or infinite.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The spacing is not positive and finite, or the grid leaves the
-    /// range of float, or it has more than 4,194,304 columns or rows.</exception>
-    public static TriangleMesh FromHeights(IReadOnlyList<float> heights, int columns, Vector2 spacing)
-    {
-        Guard.NotNull(heights, nameof(heights));
-        int rows = columns > 0 ? heights.Count / columns : 0;
-        if (columns < 2 || rows < 2 || rows * columns != heights.Count)
-        {
-            throw new ArgumentException(
-                $"{heights.Count} heights are no grid of at least 2 rows of {columns}.", nameof(heights));
-        }
-
-        float[] copy = new float[heights.Count];
-        for (int i = 0; i < copy.Length; i++)
-        {
-            copy[i] = heights[i];
-            if (!Guard.IsFinite(copy[i]))
-                throw new ArgumentException($"Height {i} is NaN or infinite; make a mesh for holes.", nameof(heights));
-        }
-
-        if (!IsSpacing(spacing.X, columns) || !IsSpacing(spacing.Y, rows))
-            throw new ArgumentOutOfRangeException(nameof(spacing), spacing, "The grid has no such spacing.");
-        return new TriangleMesh(new TriangleList(copy, columns, spacing), new MeshTopology(columns, rows), Vector3.One);
-    }
-
-    private static bool IsSpacing(float spacing, int lines) =>
-        spacing > 0 && Guard.IsFinite(spacing * lines) && lines <= MostLines;
-
     /// <summary>The same triangles with their vertices moved, as those of a body that bends.</summary>
     /// <param name="vertices">As many as there are, finite. Copied.</param>
-    /// <returns>A mesh with the same triangle numbers and scale. Its tree keeps its form and is fitted to the new
-    /// places, which is faster than a new one; build anew where triangles have moved far from their
-    /// neighbours.</returns>
+    /// <returns>A mesh with the same triangle numbers and scale, which is no height field. Its tree keeps its form and
+    /// is fitted to the new places, which is faster than a new one; build anew where triangles have moved far from
+    /// their neighbours.</returns>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
     /// <exception cref="ArgumentException">There are more or fewer vertices, or one is not finite.</exception>
     public TriangleMesh WithVertices(IReadOnlyList<Vector3> vertices)

@@ -1,7 +1,8 @@
 namespace Gjk.Core;
 
 /// <summary>Triangles, kept as they are given: the surface that is their union, with a tree for queries. Build it once
-/// and share it: it is immutable, and any number of shapes and threads may use it.</summary>
+/// and share it: it is immutable but for <see cref="Core.HeightField.SetHeights"/>, and any number of shapes and
+/// threads may use it.</summary>
 /// <remarks>Triangles keep the caller's numbers; degenerate and repeated ones count like all others. The largest
 /// triangle numbers are limited by memory alone: at most 70 bytes a triangle in meshes with half as many vertices as
 /// triangles.</remarks>
@@ -44,14 +45,19 @@ public sealed partial class TriangleMesh
         _looksIn = PieceSides.LooksIn(this);
     }
 
-    private TriangleMesh(TriangleList list, MeshTopology topology, Vector3 scale, PartTree? like = null)
+    private TriangleMesh(
+        TriangleList list, MeshTopology topology, Vector3 scale, PartTree? like = null, HeightGrid? grid = null)
     {
         (_list, _topology) = (list, topology);
         Scale = scale;
         _scale = scale;
         Tree = like is null ? BuildTree() : PartTreeRefit.Fit(Source, like);
         _looksIn = PieceSides.LooksIn(this);
+        HeightField = grid is null ? null : new HeightField(this, grid);
     }
+
+    /// <summary>The cells and heights of a mesh that <see cref="FromHeights"/> has made, else null.</summary>
+    public HeightField? HeightField { get; }
 
     /// <summary>How many triangles there are, at least one.</summary>
     public int TriangleCount => _list.SideCount / 3;
@@ -102,13 +108,16 @@ public sealed partial class TriangleMesh
     /// <summary>The same triangles scaled about the local origin, exactly; factors of an earlier call are
     /// multiplied.</summary>
     /// <param name="scale">Along the local axes; negative factors mirror.</param>
-    /// <returns>A mesh that shares the vertices and has a tree of its own.</returns>
+    /// <returns>A mesh that shares the vertices and has a tree of its own; the heights of a height field are copied, so
+    /// that a change of one leaves the other.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A factor, or its product with an earlier one, is 0, NaN or
     /// infinite.</exception>
     public TriangleMesh Scaled(Vector3 scale)
     {
         Guard.Scale(scale, nameof(scale));
-        return new TriangleMesh(_list, _topology, Guard.Scale(Scale * scale, nameof(scale)));
+        Vector3 factors = Guard.Scale(Scale * scale, nameof(scale));
+        TriangleList list = HeightField is null ? _list : _list.Copy();
+        return new TriangleMesh(list, _topology, factors, grid: HeightField?.Grid);
     }
 
     /// <summary>Volume, mass, centre of mass and inertia of the solid inside, in the mesh's frame, to a few roundings
@@ -195,6 +204,12 @@ public sealed partial class TriangleMesh
         return length > 0;
     }
 
+    /// <summary>A vertex with the scale.</summary>
+    internal Double3 GetPlace(int vertex) => Double3.Multiply(_list.Vertex(vertex), _scale);
+
+    /// <inheritdoc cref="TriangleList.SetHeight"/>
+    internal void SetHeight(int vertex, float height, bool isZUp) => _list.SetHeight(vertex, height, isZUp);
+
     /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>
     internal double Reach(in Double3 direction, int step)
     {
@@ -206,7 +221,7 @@ public sealed partial class TriangleMesh
 
     /// <summary>A corner of a triangle with the scale.</summary>
     /// <param name="side">Three times the triangle, and the corner.</param>
-    internal Double3 GetCorner(int side) => Double3.Multiply(_list.Vertex(_list.Corner(side)), _scale);
+    internal Double3 GetCorner(int side) => GetPlace(_list.Corner(side));
 
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)

@@ -15,8 +15,24 @@ public sealed partial class CollisionScene
         CheckPose(pose);
         if (_objects.Poses[slot] == pose) return;
         _objects.Poses[slot] = pose;
+        Change(slot);
+    }
+
+    /// <summary>Tells the scene that the heights of an object's mesh have changed; see
+    /// <see cref="HeightField.SetHeights"/>.</summary>
+    /// <param name="id">The object.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    public void Refresh(int id)
+    {
+        int slot = _objects.Checked(id, nameof(id));
+        if (GetAnyShape(id).Mesh is { } mesh) _objects.Bounds[slot] = new ShapeBounds(mesh.Tree);
+        Change(slot);
+    }
+
+    private void Change(int slot)
+    {
         _objects.MovedAfter[slot] = _calls;
-        _phase.Move(slot, _objects.Bounds[slot].BoxAt(pose));
+        _phase.Move(slot, _objects.Bounds[slot].BoxAt(_objects.Poses[slot]));
     }
 
     /// <summary>Puts many objects somewhere else, as <see cref="Move"/> does one by one, on several threads.</summary>

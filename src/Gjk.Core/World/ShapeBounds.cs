@@ -77,6 +77,17 @@ public readonly struct ShapeBounds
         _offset = _center.Length;
     }
 
+    /// <summary>Measures the box of a tree, which may be a little larger than its parts, without a look at
+    /// them.</summary>
+    internal ShapeBounds(PartTree tree)
+    {
+        _center = tree.Origin + tree.Read(0) * tree.Unit;
+        _half = tree.ReachOf(0, new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1)) * tree.Unit;
+        _margin = 0;
+        _radius = _half.Length;
+        _offset = _center.Length;
+    }
+
     /// <summary>The radius of a ball about the centre of <see cref="BoxAt"/> that holds the shape.</summary>
     internal double Radius => _radius;
 

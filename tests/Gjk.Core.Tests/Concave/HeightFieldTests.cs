@@ -146,7 +146,7 @@ public class HeightFieldTests
             Assert.Equal(SidesAt(expected, side), SidesAt(found, side));
     }
 
-    private static SortedSet<int> SidesAt(TriangleMesh mesh, int side)
+    internal static SortedSet<int> SidesAt(TriangleMesh mesh, int side)
     {
         var sides = new SortedSet<int>();
         for (CornerRing ring = mesh.SidesAt(side); ring.MoveNext();) Assert.True(sides.Add(ring.Current));

@@ -17,7 +17,7 @@ internal sealed class BoxFit
 
     private readonly IPartSource _source;
     private readonly PartItem[] _items;
-    private readonly double _inverse;
+    private double _inverse;
     private Double3 _u, _v, _w, _center, _half;
 
     /// <param name="source">The parts.</param>
@@ -25,8 +25,30 @@ internal sealed class BoxFit
     /// <param name="all">The box of all.</param>
     public BoxFit(IPartSource source, PartItem[] items, in PartBox all)
     {
-        _source = source;
-        _items = items;
+        (_source, _items) = (source, items);
+        SetFrame(all);
+        ToFrame(items.Length);
+    }
+
+    /// <param name="source">The parts.</param>
+    /// <param name="items">Room for those that are measured together; see <see cref="ToFrame"/>.</param>
+    /// <param name="tree">Has the frame.</param>
+    public BoxFit(IPartSource source, PartItem[] items, PartTree tree)
+    {
+        (_source, _items) = (source, items);
+        (Origin, Unit, Radius, _inverse) = (tree.Origin, tree.Unit, tree.Radius, 1 / tree.Unit);
+    }
+
+    public Double3 Origin { get; private set; }
+
+    public double Unit { get; private set; }
+
+    public double Radius { get; private set; }
+
+    /// <summary>Puts the tree's frame into the middle of a box.</summary>
+    /// <param name="all">Of all parts, in the shape's frame.</param>
+    public void SetFrame(in PartBox all)
+    {
         Origin = (all.Min + all.Max) * 0.5;
         Double3 half = (all.Max - all.Min) * 0.5;
         double most = half.SumOfMagnitudes;
@@ -35,35 +57,59 @@ internal sealed class BoxFit
 
         // In tree units, where no square leaves the range of double.
         Radius = (half * _inverse).Length * (1 + Outward) * Unit;
-        for (int i = 0; i < items.Length; i++)
+    }
+
+    /// <summary>No point of a box is further from the frame's origin; in the shape's units.</summary>
+    public double RadiusTo(in PartBox box)
+    {
+        PartBox local = Local(box);
+        var far = new Double3(
+            Math.Max(-local.MinX, local.MaxX), Math.Max(-local.MinY, local.MaxY), Math.Max(-local.MinZ, local.MaxZ));
+        return far.Length * (1 + Outward) * Unit;
+    }
+
+    /// <summary>Lets the frame hold parts that are further from its origin.</summary>
+    public void Widen(double radius) => Radius = Math.Max(Radius, radius);
+
+    /// <summary>Brings the first items' boxes from the shape's frame to the tree's.</summary>
+    public void ToFrame(int count)
+    {
+        for (int i = 0; i < count; i++)
         {
-            ref PartBox box = ref items[i].Box;
-            box = new PartBox(Local(box.Min), Local(box.Max));
+            ref PartBox box = ref _items[i].Box;
+            box = Local(box);
         }
     }
 
-    public Double3 Origin { get; }
+    public PartBox Local(in PartBox box) => new(Local(box.Min), Local(box.Max));
 
-    public double Unit { get; }
-
-    public double Radius { get; }
+    /// <summary>Writes the frame to a tree.</summary>
+    public void WriteFrame(PartTree tree) => (tree.Origin, tree.Unit, tree.Radius) = (Origin, Unit, Radius);
 
     /// <summary>Finds the box of a range.</summary>
     public void Measure(int begin, int end)
     {
         PartBox box = PartBox.Nothing;
         for (int i = begin; i < end; i++) box.Add(_items[i].Box);
-        SetAlongAxes(box);
+        Set(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), box);
         if (!TryGetSpread(begin, end, out Double3 u, out Double3 v, out Double3 w)) return;
         (u, v, w) = (ToFloats(u), ToFloats(v), ToFloats(w));
-        MeasureAlong(begin, end, u, v, w, out Double3 low, out Double3 high);
-        Double3 size = high - low;
-        if (size.X * size.Y + size.Y * size.Z + size.Z * size.X >= box.Area) return;
-        Double3 middle = (low + high) * 0.5;
+        PartBox along = MeasureAlong(begin, end, u, v, w);
+        if (along.Area < box.Area) Set(u, v, w, along);
+    }
+
+    /// <summary>Takes a box of axes that are floats.</summary>
+    /// <param name="u">An axis, of unit length but for rounding.</param>
+    /// <param name="v">The second.</param>
+    /// <param name="w">The third.</param>
+    /// <param name="box">From where to where it reaches along them, in tree units.</param>
+    public void Set(in Double3 u, in Double3 v, in Double3 w, in PartBox box)
+    {
+        Double3 middle = (box.Min + box.Max) * 0.5;
         Double3 center = ToFloats(u * middle.X + v * middle.Y + w * middle.Z);
         Double3 along = Along(center, u, v, w);
         (_u, _v, _w, _center) = (u, v, w, center);
-        _half = Widened(high - along, along - low);
+        _half = Widened(box.Max - along, along - box.Min);
     }
 
     /// <summary>Writes the box to a lane.</summary>
@@ -83,13 +129,6 @@ internal sealed class BoxFit
         boxes[at + 2 * PartTree.Lanes] = (float)v.Z;
     }
 
-    private void SetAlongAxes(in PartBox box)
-    {
-        (_u, _v, _w) = (new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1));
-        _center = ToFloats((box.Min + box.Max) * 0.5);
-        _half = Widened(box.Max - _center, _center - box.Min);
-    }
-
     private bool TryGetSpread(int begin, int end, out Double3 u, out Double3 v, out Double3 w)
     {
         BoxSpread spread = default;
@@ -107,8 +146,7 @@ internal sealed class BoxFit
         return spread.TryGetAxes(out u, out v, out w);
     }
 
-    private void MeasureAlong(
-        int begin, int end, in Double3 u, in Double3 v, in Double3 w, out Double3 low, out Double3 high)
+    private PartBox MeasureAlong(int begin, int end, in Double3 u, in Double3 v, in Double3 w)
     {
         PartBox box = PartBox.Nothing;
         for (int i = begin; i < end; i++)
@@ -119,10 +157,10 @@ internal sealed class BoxFit
             box.Add(Along(Local(c), u, v, w));
         }
 
-        (low, high) = (box.Min, box.Max);
+        return box;
     }
 
-    private static Double3 Along(in Double3 p, in Double3 u, in Double3 v, in Double3 w) =>
+    public static Double3 Along(in Double3 p, in Double3 u, in Double3 v, in Double3 w) =>
         new(Double3.Dot(p, u), Double3.Dot(p, v), Double3.Dot(p, w));
 
     private Double3 Local(in Double3 p) => (p - Origin) * _inverse;

@@ -16,6 +16,11 @@ internal struct PartBox
         new Double3(double.MaxValue, double.MaxValue, double.MaxValue),
         new Double3(double.MinValue, double.MinValue, double.MinValue));
 
+    /// <summary>Holds all points.</summary>
+    public static PartBox Everything { get; } = new(
+        new Double3(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
+        new Double3(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity));
+
     public readonly Double3 Min => new(MinX, MinY, MinZ);
 
     public readonly Double3 Max => new(MaxX, MaxY, MaxZ);

@@ -5,7 +5,7 @@ namespace Gjk.Core;
 /// axes as they are stored, which are perpendicular and of unit length but for float's rounding.</summary>
 /// <remarks>Lengths are in units of a power of two, and measured from <see cref="Origin"/>, so that no square of one
 /// leaves the range of float. Lane 0 of node 0 is the whole. Immutable once built, but for the tree of a single
-/// part.</remarks>
+/// part and that of a height field.</remarks>
 internal sealed class PartTree
 {
     /// <summary>How many boxes a node has.</summary>
@@ -19,6 +19,11 @@ internal sealed class PartTree
 
     /// <summary>A lane without a box.</summary>
     public const int Empty = int.MinValue;
+
+    /// <summary>Ratio to half sides: 2^-20, what axes that are rounded to float lack of being perpendicular. Each of
+    /// their nine numbers is off by 2^-24 at most, so what turns them back by 6 * 2^-24. More costs time
+    /// only.</summary>
+    private const double Skew = 1.0 / (1 << 20);
 
     public readonly float[] Boxes;
 
@@ -50,6 +55,28 @@ internal sealed class PartTree
         }
 
         return tree;
+    }
+
+    /// <summary>Where the floats of a box begin.</summary>
+    /// <param name="box">A node times <see cref="Lanes"/>, and its lane.</param>
+    public static int At(int box) => box / Lanes * Stride + box % Lanes;
+
+    /// <summary>Three numbers of a lane: the centre, the half sides or an axis.</summary>
+    public Double3 Read(int at) => new(Boxes[at], Boxes[at + Lanes], Boxes[at + 2 * Lanes]);
+
+    /// <summary>How far a box reaches from its centre along three directions of unit length, at most; in tree
+    /// units.</summary>
+    public Double3 ReachOf(int at, in Double3 u, in Double3 v, in Double3 w)
+    {
+        Double3 reach = default;
+        for (int i = 0; i < 3; i++)
+        {
+            Double3 along = BoxFit.Along(Read(at + Axes + 3 * i * Lanes), u, v, w);
+            reach += new Double3(Math.Abs(along.X) + Skew, Math.Abs(along.Y) + Skew, Math.Abs(along.Z) + Skew)
+                * Boxes[at + Halves + i * Lanes];
+        }
+
+        return reach;
     }
 
     /// <summary>A leaf with some of the parts, in their order.</summary>

@@ -54,12 +54,9 @@ internal sealed class PartTreeBuilder
         Array.Resize(ref builder._boxes, builder._nodes * PartTree.Stride);
         Array.Resize(ref builder._children, builder._nodes * PartTree.Lanes);
         int[] order = Array.ConvertAll(builder._items, item => item.Part);
-        return new PartTree(builder._boxes, builder._children, order)
-        {
-            Origin = builder._fit.Origin,
-            Unit = builder._fit.Unit,
-            Radius = builder._fit.Radius,
-        };
+        var tree = new PartTree(builder._boxes, builder._children, order);
+        builder._fit.WriteFrame(tree);
+        return tree;
     }
 
     private int NewNode()

@@ -18,12 +18,8 @@ internal sealed class PartTreeRefit
         }
 
         _fit = new BoxFit(source, items, all);
-        _tree = new PartTree((float[])like.Boxes.Clone(), like.Children, like.Order)
-        {
-            Origin = _fit.Origin,
-            Unit = _fit.Unit,
-            Radius = _fit.Radius,
-        };
+        _tree = new PartTree((float[])like.Boxes.Clone(), like.Children, like.Order);
+        _fit.WriteFrame(_tree);
     }
 
     /// <summary>A tree of the same form as another.</summary>

@@ -109,7 +109,7 @@ public unsafe class BoxLanesTests
         return depth + 1;
     }
 
-    private static void AssertHolds(TriangleMesh mesh, PartTree tree, int lane, int child)
+    internal static void AssertHolds(TriangleMesh mesh, PartTree tree, int lane, int child)
     {
         if (child == PartTree.Empty) return;
         if (child >= 0)
