@@ -24,7 +24,7 @@ internal sealed class MeshTopology
         _component = new int[vertices.Length];
         Around = RingsAround(_corners, vertices.Length);
         CountEdges();
-        CountTriangles(vertices);
+        Degenerate = CountDegenerate(vertices, indices);
         FindComponents();
         _corners = _indices = _component = [];
     }
@@ -34,11 +34,7 @@ internal sealed class MeshTopology
     {
         if (!Joined(vertices).SequenceEqual(_joined)) return new MeshTopology(vertices, indices);
         var same = (MeshTopology)MemberwiseClone();
-        var predicates = new HullPredicates(vertices);
-        same.Degenerate = 0;
-        for (int i = 0; i < indices.Length; i += 3)
-            if (IsDegenerate(predicates, _joined[indices[i]], _joined[indices[i + 1]], _joined[indices[i + 2]]))
-                same.Degenerate++;
+        same.Degenerate = CountDegenerate(vertices, indices);
         return same;
     }
 
@@ -133,6 +129,7 @@ internal sealed class MeshTopology
         }
 
         Array.Sort(keys, sides);
+        var thirds = new List<int>();
         for (int begin = 0; begin < keys.Length;)
         {
             int end = begin, along = 0, first = int.MaxValue;
@@ -144,6 +141,7 @@ internal sealed class MeshTopology
             }
 
             if (low != high) CountEdge(along, end - begin - along, first);
+            if (end > begin + 1) CountDuplicates(sides, begin, end, thirds);
             begin = end;
         }
     }
@@ -161,17 +159,35 @@ internal sealed class MeshTopology
         (FaultyAlong, FaultyAgainst) = isAlong ? (along, against) : (against, along);
     }
 
-    private void CountTriangles(Vector3[] vertices)
+    /// <summary>Counts the triangles of an edge that repeat one another, at the edge of their two lowest
+    /// corners.</summary>
+    private void CountDuplicates(int[] sides, int begin, int end, List<int> thirds)
+    {
+        thirds.Clear();
+        for (int i = begin; i < end; i++)
+        {
+            int side = sides[i], first = side - side % 3;
+            int from = _corners[side], to = _corners[side % 3 == 2 ? first : side + 1];
+            int third = _corners[side % 3 == 0 ? side + 2 : side - 1], high = Math.Max(from, to);
+
+            // Where corners are equal, one of the triangle's sides counts.
+            bool isOne = from < to || (from == to && side == first);
+            if (third > high || (third == high && isOne)) thirds.Add(third);
+        }
+
+        thirds.Sort();
+        for (int i = 1; i < thirds.Count; i++)
+            if (thirds[i] == thirds[i - 1]) Duplicate++;
+    }
+
+    private int CountDegenerate(Vector3[] vertices, int[] indices)
     {
         var predicates = new HullPredicates(vertices);
-        var seen = new HashSet<(int Low, int Middle, int High)>();
-        for (int i = 0; i < _corners.Length; i += 3)
-        {
-            int a = _corners[i], b = _corners[i + 1], c = _corners[i + 2];
-            if (IsDegenerate(predicates, a, b, c)) Degenerate++;
-            int low = Math.Min(Math.Min(a, b), c), high = Math.Max(Math.Max(a, b), c);
-            if (!seen.Add((low, a + b + c - low - high, high))) Duplicate++;
-        }
+        int count = 0;
+        for (int i = 0; i < indices.Length; i += 3)
+            if (IsDegenerate(predicates, _joined[indices[i]], _joined[indices[i + 1]], _joined[indices[i + 2]]))
+                count++;
+        return count;
     }
 
     private void FindComponents()

@@ -9,17 +9,20 @@ public sealed partial class TriangleMesh
     /// <param name="indices">Three for each triangle, at least one triangle. Copied.</param>
     /// <param name="mesh">The mesh, or null.</param>
     /// <param name="reason">Null, or what is wrong with the lists, in one sentence.</param>
+    /// <param name="workers">The threads to use; null for the caller's own. The mesh is the same.</param>
     /// <returns>True when there is a mesh.</returns>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static bool TryCreate(
         IReadOnlyList<Vector3>? vertices, IReadOnlyList<int>? indices, [NotNullWhen(true)] out TriangleMesh? mesh,
-        [NotNullWhen(false)] out string? reason)
+        [NotNullWhen(false)] out string? reason, Workers? workers = null)
     {
+        Workers.Check(workers);
         mesh = null;
         reason = vertices is null || indices is null
             ? "There is no list of vertices, or none of indices."
             : Refusal(vertices, indices, out _, out _);
         if (reason is not null) return false;
-        mesh = new TriangleMesh(vertices!, indices!);
+        mesh = new TriangleMesh(vertices!, indices!, workers);
         return true;
     }
 

@@ -15,6 +15,7 @@ public sealed partial class TriangleMesh
     /// <param name="isZUp">Whether heights are z, and rows go along y.</param>
     /// <param name="baseHeight">Below all heights: the mesh is closed by walls and by a bottom at that height, so that
     /// <see cref="AnyShape.Solid"/> takes it. Null: a surface that is open.</param>
+    /// <param name="workers">The threads to use; null for the caller's own. The mesh is the same.</param>
     /// <returns>A mesh with two triangles for each cell that is no hole, row by row, cut from the cell's corner in the
     /// next column to that in the next row; the first is the one at the least column and row. They look up.
     /// <see cref="HeightField"/> tells the cell of a triangle. With a base the bottom has as many, in the same order,
@@ -26,10 +27,12 @@ public sealed partial class TriangleMesh
     /// <exception cref="ArgumentOutOfRangeException">The spacing is not positive and finite, or the grid leaves the
     /// range of float, or it has more than 4,194,304 columns or rows; the base is not finite, or not below all
     /// heights.</exception>
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static TriangleMesh FromHeights(
         IReadOnlyList<float> heights, int columns, Vector2 spacing, IReadOnlyList<bool>? isHole = null,
-        bool isZUp = false, float? baseHeight = null)
+        bool isZUp = false, float? baseHeight = null, Workers? workers = null)
     {
+        Workers.Check(workers);
         Guard.NotNull(heights, nameof(heights));
         int rows = columns > 0 ? heights.Count / columns : 0;
         if (columns < 2 || rows < 2 || rows * columns != heights.Count)
@@ -53,11 +56,16 @@ public sealed partial class TriangleMesh
         var grid = new HeightGrid(columns, rows, spacing, isZUp, baseHeight);
         var plain = new TriangleList(copy, columns, spacing, isZUp);
         if (isHole is null && baseHeight is null)
-            return new TriangleMesh(plain, new MeshTopology(columns, rows, isZUp), Vector3.One, grid: grid);
+        {
+            var topology = new MeshTopology(columns, rows, isZUp);
+            return new TriangleMesh(plain, topology, Vector3.One, grid: grid, workers: workers);
+        }
+
         bool[] holes = CopyHoles(isHole, grid.CellCount);
         grid.List(plain, holes, out Vector3[] points, out int[] corners);
         return new TriangleMesh(
-            new TriangleList(points, corners), new MeshTopology(points, corners), Vector3.One, grid: grid);
+            new TriangleList(points, corners), new MeshTopology(points, corners), Vector3.One, grid: grid,
+            workers: workers);
     }
 
     private static bool IsSpacing(float spacing, int lines) =>

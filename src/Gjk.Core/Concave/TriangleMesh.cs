@@ -28,11 +28,14 @@ public sealed partial class TriangleMesh
     /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
     /// <param name="indices">Three for each triangle, at least one triangle, each at least 0 and below the number of
     /// vertices. Copied.</param>
+    /// <param name="workers">The threads to use; null for the caller's own. The mesh is the same.</param>
     /// <exception cref="ArgumentNullException">A list is null.</exception>
     /// <exception cref="ArgumentException"><see cref="TryCreate"/> would refuse the lists; the message says
     /// why.</exception>
-    public TriangleMesh(IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices)
+    /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
+    public TriangleMesh(IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, Workers? workers = null)
     {
+        Workers.Check(workers);
         Guard.NotNull(vertices, nameof(vertices));
         Guard.NotNull(indices, nameof(indices));
         string? reason = Refusal(vertices, indices, out Vector3[] points, out int[] corners);
@@ -41,17 +44,18 @@ public sealed partial class TriangleMesh
         _topology = new MeshTopology(points, corners);
         Scale = Vector3.One;
         _scale = Scale;
-        Tree = BuildTree();
+        Tree = BuildTree(workers);
         _looksIn = PieceSides.LooksIn(this);
     }
 
     private TriangleMesh(
-        TriangleList list, MeshTopology topology, Vector3 scale, PartTree? like = null, HeightGrid? grid = null)
+        TriangleList list, MeshTopology topology, Vector3 scale, PartTree? like = null, HeightGrid? grid = null,
+        Workers? workers = null)
     {
         (_list, _topology) = (list, topology);
         Scale = scale;
         _scale = scale;
-        Tree = like is null ? BuildTree() : PartTreeRefit.Fit(Source, like);
+        Tree = like is null ? BuildTree(workers) : PartTreeRefit.Fit(Source, like);
         _looksIn = PieceSides.LooksIn(this);
         HeightField = grid is null ? null : new HeightField(this, grid);
     }
@@ -251,7 +255,8 @@ public sealed partial class TriangleMesh
     /// <summary>The triangles as a tree is built of them.</summary>
     internal IPartSource Source => new TriangleSource(this);
 
-    private PartTree BuildTree() => PartTreeBuilder.Build(Source, LeafSize, MostInLeaf);
+    private PartTree BuildTree(Workers? workers) =>
+        PartTreeBuilder.Build(Source, LeafSize, MostInLeaf, workers);
 
     private sealed class TriangleSource(TriangleMesh mesh) : IPartSource
     {

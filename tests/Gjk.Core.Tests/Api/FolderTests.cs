@@ -42,12 +42,12 @@ public class FolderTests(ITestOutputHelper output)
                 "Solvers/Depth", "Solvers/Motion", "Contacts", "Queries/Rays",
             ]),
         ("BroadPhase", ["Geometry", "Sorting", "Threading"]),
-        ("Concave/Trees", ["Arithmetic", "Geometry", "Minkowski"]),
+        ("Concave/Trees", ["Arithmetic", "Geometry", "Minkowski", "Threading"]),
         (
             "Concave",
             [
                 "Arithmetic", "Geometry", "Hulls/Building", "Cores", "Shapes", "Solvers", "Solvers/Motion",
-                "Contacts", "Queries", "Queries/Rays", "Concave/Trees", "Sorting", "BroadPhase",
+                "Contacts", "Queries", "Queries/Rays", "Concave/Trees", "Sorting", "BroadPhase", "Threading",
             ]),
         (
             "Diagnostics",

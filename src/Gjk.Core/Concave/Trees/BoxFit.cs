@@ -83,6 +83,9 @@ internal sealed class BoxFit
 
     public PartBox Local(in PartBox box) => new(Local(box.Min), Local(box.Max));
 
+    /// <summary>The same parts and frame, to be measured by another thread.</summary>
+    public BoxFit Copy() => (BoxFit)MemberwiseClone();
+
     /// <summary>Writes the frame to a tree.</summary>
     public void WriteFrame(PartTree tree) => (tree.Origin, tree.Unit, tree.Radius) = (Origin, Unit, Radius);
 
@@ -91,11 +94,18 @@ internal sealed class BoxFit
     {
         PartBox box = PartBox.Nothing;
         for (int i = begin; i < end; i++) box.Add(_items[i].Box);
-        Set(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), box);
+        Measure(new PartRange(begin, end, box));
+    }
+
+    /// <inheritdoc cref="Measure(int, int)"/>
+    public void Measure(in PartRange range)
+    {
+        (int begin, int end) = (range.Begin, range.End);
+        Set(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), range.Box);
         if (!TryGetSpread(begin, end, out Double3 u, out Double3 v, out Double3 w)) return;
         (u, v, w) = (ToFloats(u), ToFloats(v), ToFloats(w));
         PartBox along = MeasureAlong(begin, end, u, v, w);
-        if (along.Area < box.Area) Set(u, v, w, along);
+        if (along.Area < range.Box.Area) Set(u, v, w, along);
     }
 
     /// <summary>Takes a box of axes that are floats.</summary>

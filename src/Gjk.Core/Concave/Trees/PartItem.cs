@@ -7,6 +7,20 @@ internal struct PartItem
     public int Part;
 }
 
+/// <summary>Parts that follow each other while a tree is built.</summary>
+internal readonly struct PartRange(int begin, int end, in PartBox box)
+{
+    public readonly int Begin = begin, End = end;
+
+    /// <summary>Of all of them.</summary>
+    public readonly PartBox Box = box;
+
+    /// <summary>Their surface times their count: what it costs to leave them together.</summary>
+    public readonly double Weight = box.Area * (end - begin);
+
+    public int Count => End - Begin;
+}
+
 /// <summary>What gives the parts of a shape to the builder of a tree.</summary>
 internal interface IPartSource
 {

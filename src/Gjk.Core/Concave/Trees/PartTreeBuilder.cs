@@ -14,19 +14,27 @@ internal sealed class PartTreeBuilder
     /// <summary>Levels: a tree of a billion parts that is cut in halves has ten. More only costs time.</summary>
     private const int MostUneven = 16;
 
+    /// <summary>Count: from so many parts on, what is below the root is built in branches, on several threads where
+    /// there are some. The tree is the same. A matter of speed only.</summary>
+    private const int LeastToShare = 4096;
+
     private readonly int _leafSize, _mostInLeaf;
     private readonly PartItem[] _items;
     private readonly int[] _binCounts = new int[Bins];
     private readonly PartBox[] _binBoxes = new PartBox[Bins];
     private readonly double[] _binCosts = new double[Bins];
+
+    /// <summary>By level: eight ranges that a range was cut into.</summary>
+    private readonly List<PartRange[]> _ranges = [];
     private readonly BoxFit _fit;
-    private float[] _boxes;
-    private int[] _children;
+    private readonly Workers? _workers;
+    private float[] _boxes = [];
+    private int[] _children = [];
     private int _nodes;
 
-    private PartTreeBuilder(IPartSource source, int leafSize, int mostInLeaf)
+    private PartTreeBuilder(IPartSource source, int leafSize, int mostInLeaf, Workers? workers)
     {
-        (_leafSize, _mostInLeaf) = (leafSize, mostInLeaf);
+        (_leafSize, _mostInLeaf, _workers) = (leafSize, mostInLeaf, workers);
         int count = source.Count;
         _items = new PartItem[count];
         PartBox all = PartBox.Nothing;
@@ -38,25 +46,39 @@ internal sealed class PartTreeBuilder
         }
 
         _fit = new BoxFit(source, _items, all);
-        int room = Math.Max(2, count / (2 * leafSize));
-        _boxes = new float[room * PartTree.Stride];
-        _children = new int[room * PartTree.Lanes];
+        Reserve(count < LeastToShare ? count : 0);
+    }
+
+    /// <summary>Of a branch of another's tree, with nodes of its own.</summary>
+    private PartTreeBuilder(PartTreeBuilder tree, int count)
+    {
+        (_leafSize, _mostInLeaf, _items) = (tree._leafSize, tree._mostInLeaf, tree._items);
+        _fit = tree._fit.Copy();
+        Reserve(count);
     }
 
     /// <param name="source">The parts.</param>
     /// <param name="leafSize">Ranges of no more parts are not cut.</param>
     /// <param name="mostInLeaf">Nor become ranges of no more parts a node of their own; below 8.</param>
-    public static PartTree Build(IPartSource source, int leafSize, int mostInLeaf)
+    /// <param name="workers">The threads to use; null for the caller's own.</param>
+    public static PartTree Build(IPartSource source, int leafSize, int mostInLeaf, Workers? workers = null)
     {
-        var builder = new PartTreeBuilder(source, leafSize, mostInLeaf);
+        var builder = new PartTreeBuilder(source, leafSize, mostInLeaf, workers);
         int root = builder.NewNode();
-        builder.Place(root, 0, 0, builder._items.Length, 1);
+        builder.Place(root, 0, builder.RangeOf(0, builder._items.Length), 1);
         Array.Resize(ref builder._boxes, builder._nodes * PartTree.Stride);
         Array.Resize(ref builder._children, builder._nodes * PartTree.Lanes);
         int[] order = Array.ConvertAll(builder._items, item => item.Part);
         var tree = new PartTree(builder._boxes, builder._children, order);
         builder._fit.WriteFrame(tree);
         return tree;
+    }
+
+    private void Reserve(int count)
+    {
+        int room = Math.Max(2, count / (2 * _leafSize));
+        _boxes = new float[room * PartTree.Stride];
+        _children = new int[room * PartTree.Lanes];
     }
 
     private int NewNode()
@@ -78,58 +100,103 @@ internal sealed class PartTreeBuilder
     }
 
     /// <summary>Writes a lane: the box of a range, and what is below it.</summary>
-    private void Place(int node, int lane, int begin, int end, int depth)
+    private void Place(int node, int lane, in PartRange range, int depth)
     {
-        int child = end - begin <= _mostInLeaf ? PartTree.Leaf(begin, end - begin) : Split(begin, end, depth);
-        _fit.Measure(begin, end);
+        int child = range.Count <= _mostInLeaf ? PartTree.Leaf(range.Begin, range.Count) : Split(range, depth);
+        _fit.Measure(range);
         _fit.Write(_boxes, node * PartTree.Stride + lane);
         _children[node * PartTree.Lanes + lane] = child;
     }
 
     /// <summary>A node over a range, which is cut until there are eight parts of it, or until what is left fills a node
     /// each: a node with few boxes takes as much memory as a full one.</summary>
-    private int Split(int begin, int end, int depth)
+    private int Split(in PartRange range, int depth)
     {
-        int[] starts = new int[PartTree.Lanes], ends = new int[PartTree.Lanes];
-        double[] weights = new double[PartTree.Lanes];
-        int ranges = 1;
-        (starts[0], ends[0]) = (begin, end);
-        bool isLast = end - begin <= PartTree.Lanes * _mostInLeaf;
+        while (_ranges.Count < depth) _ranges.Add(new PartRange[PartTree.Lanes]);
+        PartRange[] ranges = _ranges[depth - 1];
+        int count = 1;
+        ranges[0] = range;
+        bool isLast = range.Count <= PartTree.Lanes * _mostInLeaf;
         int least = isLast ? _leafSize : PartTree.Lanes * _leafSize;
-        while (ranges < PartTree.Lanes)
+        while (count < PartTree.Lanes)
         {
             int best = -1;
-            for (int i = 0; i < ranges; i++)
-                if (ends[i] - starts[i] > least && (best < 0 || weights[i] > weights[best])) best = i;
+            for (int i = 0; i < count; i++)
+                if (ranges[i].Count > least && (best < 0 || ranges[i].Weight > ranges[best].Weight)) best = i;
             if (best < 0) break;
-            int middle = Partition(starts[best], ends[best], depth > MostUneven);
-            (starts[ranges], ends[ranges], ends[best]) = (middle, ends[best], middle);
-            weights[best] = Weight(starts[best], middle);
-            weights[ranges] = Weight(middle, ends[ranges]);
-            ranges++;
+            Cut(ref ranges[best], depth > MostUneven, out ranges[count++]);
         }
 
         int node = NewNode();
-        for (int i = 0; i < ranges; i++) Place(node, i, starts[i], ends[i], depth + 1);
+        if (depth == 1 && range.Count >= LeastToShare)
+        {
+            Graft(node, ranges, count);
+            return node;
+        }
+
+        for (int i = 0; i < count; i++) Place(node, i, ranges[i], depth + 1);
         return node;
     }
 
-    private double Weight(int begin, int end)
+    /// <summary>Builds what is below the lanes of the root's node, each lane by a builder of its own, and takes the
+    /// nodes over in the order in which this builder would have made them.</summary>
+    private void Graft(int node, PartRange[] ranges, int count)
+    {
+        var branches = new PartTreeBuilder[count];
+        for (int i = 0; i < count; i++) branches[i] = new PartTreeBuilder(this, ranges[i].Count);
+        Workers.Run(_workers, new BranchJob(branches, ranges), count, 1, CancellationToken.None);
+        int nodes = _nodes;
+        foreach (PartTreeBuilder branch in branches) nodes += branch._nodes - 1;
+        Array.Resize(ref _boxes, nodes * PartTree.Stride);
+        Array.Resize(ref _children, nodes * PartTree.Lanes);
+        for (int lane = 0; lane < count; lane++)
+        {
+            PartTreeBuilder branch = branches[lane];
+            int shift = _nodes - 1, first = _nodes * PartTree.Lanes;
+            for (int i = 0; i < PartTree.Stride; i += PartTree.Lanes)
+                _boxes[node * PartTree.Stride + i + lane] = branch._boxes[i];
+            _children[node * PartTree.Lanes + lane] = Shifted(branch._children[0], shift);
+            int floats = (branch._nodes - 1) * PartTree.Stride, lanes = (branch._nodes - 1) * PartTree.Lanes;
+            Array.Copy(branch._boxes, PartTree.Stride, _boxes, _nodes * PartTree.Stride, floats);
+            for (int i = 0; i < lanes; i++)
+                _children[first + i] = Shifted(branch._children[PartTree.Lanes + i], shift);
+            _nodes += branch._nodes - 1;
+        }
+    }
+
+    /// <summary>Leaves and empty lanes stay.</summary>
+    private static int Shifted(int child, int shift) => child < 0 ? child : child + shift;
+
+    /// <summary>Builds branches, whose first lane is the lane of the tree that they grow from.</summary>
+    private readonly struct BranchJob(PartTreeBuilder[] branches, PartRange[] ranges) : IPartJob
+    {
+        public void Run(int begin, int end)
+        {
+            for (int i = begin; i < end; i++) branches[i].Place(branches[i].NewNode(), 0, ranges[i], 2);
+        }
+    }
+
+    private PartRange RangeOf(int begin, int end)
     {
         PartBox box = PartBox.Nothing;
         for (int i = begin; i < end; i++) box.Add(_items[i].Box);
-        return box.Area * (end - begin);
+        return new PartRange(begin, end, box);
     }
 
-    /// <summary>Puts the parts on one side of the best cut first; gives where the others begin.</summary>
-    private int Partition(int begin, int end, bool isDeep)
+    /// <summary>Puts the parts on one side of the best cut first; they are the range then, and the others the
+    /// rest.</summary>
+    private void Cut(ref PartRange range, bool isDeep, out PartRange rest)
     {
-        int middle = begin + (end - begin) / 2;
-        int axis = LongestAxis(begin, end, out double low, out double length);
+        int begin = range.Begin, end = range.End, axis = LongestAxis(begin, end, out double low, out double length);
         double scale = Bins * 0.9999 / length;
-        if (isDeep || !(length > 0) || !Guard.IsFinite(scale)) return middle;
-        int cut = BestCut(begin, end, axis, low, scale);
-        if (cut < 0) return middle;
+        int cut = isDeep || !(length > 0) || !Guard.IsFinite(scale) ? -1 : BestCut(begin, end, axis, low, scale);
+        if (cut < 0)
+        {
+            int middle = begin + range.Count / 2;
+            (range, rest) = (RangeOf(begin, middle), RangeOf(middle, end));
+            return;
+        }
+
         int left = begin, right = end - 1;
         while (left <= right)
         {
@@ -143,27 +210,27 @@ internal sealed class PartTreeBuilder
             right--;
         }
 
-        return left;
+        (range, rest) = (new PartRange(begin, left, BoxOf(0, cut)), new PartRange(left, end, BoxOf(cut + 1, Bins - 1)));
     }
 
+    /// <summary>The box of the parts in some of the bins.</summary>
+    private PartBox BoxOf(int first, int last)
+    {
+        PartBox box = PartBox.Nothing;
+        for (int i = first; i <= last; i++) box.Add(_binBoxes[i]);
+        return box;
+    }
+
+    /// <summary>The axis along which the middles are furthest apart.</summary>
     private int LongestAxis(int begin, int end, out double low, out double length)
     {
-        int best = 0;
-        (low, length) = (0, -1);
-        for (int axis = 0; axis < 3; axis++)
-        {
-            double min = _items[begin].Box.Middle(axis), max = min;
-            for (int i = begin + 1; i < end; i++)
-            {
-                double x = _items[i].Box.Middle(axis);
-                if (x < min) min = x;
-                if (x > max) max = x;
-            }
-
-            if (max - min > length) (best, low, length) = (axis, min, max - min);
-        }
-
-        return best;
+        PartBox middles = PartBox.Nothing;
+        for (int i = begin; i < end; i++) middles.Add(_items[i].Box.Min + _items[i].Box.Max);
+        Double3 size = middles.Max - middles.Min;
+        int axis = size.X >= size.Y && size.X >= size.Z ? 0 : size.Y >= size.Z ? 1 : 2;
+        low = axis == 0 ? middles.MinX : axis == 1 ? middles.MinY : middles.MinZ;
+        length = axis == 0 ? size.X : axis == 1 ? size.Y : size.Z;
+        return axis;
     }
 
     /// <summary>The last bin of the left side; -1 where all parts are in one bin.</summary>
