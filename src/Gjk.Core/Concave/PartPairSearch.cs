@@ -71,6 +71,12 @@ internal struct PartPairSearch
             if (search.PartA >= 0 && search.Best.IsOverlapping) return;
         }
 
+        if (search.PartA < 0 && scratch.Plane.IsSlabBeyond(scratch.A, scratch.B, search.Limit))
+        {
+            search.LowerBound = Math.Min(search.LowerBound, scratch.Plane.LowerBound);
+            return;
+        }
+
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         heap.Clear();

@@ -62,6 +62,18 @@ internal sealed class PlaneProof
         _limit = Beyond(limit, lengths);
     }
 
+    /// <summary>Takes the plane of a flat mesh, if it shows at once that no two parts are within a limit.</summary>
+    public bool IsSlabBeyond(PartSide a, PartSide b, float limit)
+    {
+        if (a.Mesh is null || b.Mesh is null || (a.Mesh.Slab ?? b.Mesh.Slab) is not { } slab) return false;
+        Double3 normal = new RotationD((slab == a.Mesh.Slab ? a : b).Pose.Rotation).Rotate(slab.Normal);
+        double lengths = SetPlane(a, b, normal);
+        double side = _between - Double3.Dot(_alongA, a.Tree.Origin) - Double3.Dot(_alongB, b.Tree.Origin);
+        if (side < 0) SetPlane(a, b, -normal);
+        _limit = Beyond(limit, lengths);
+        return IsSlabGap(a.Mesh, b.Mesh);
+    }
+
     /// <summary>Takes the plane of two parts that a cast does not bring together: so it does none of those that are
     /// dropped.</summary>
     /// <param name="a">The first side, at the start.</param>
@@ -119,6 +131,11 @@ internal sealed class PlaneProof
         Double3 normal = direction;
         normal *= 1 / normal.Length;
         if (!TryFace(a, partA, aligned, ref normal)) TryFace(b, partB, aligned, ref normal);
+        return SetPlane(a, b, normal);
+    }
+
+    private double SetPlane(PartSide a, PartSide b, in Double3 normal)
+    {
         _version++;
         _normal = normal;
         return Across(a, b, normal, out _alongA, out _alongB, out _between);
@@ -143,9 +160,16 @@ internal sealed class PlaneProof
     {
         _tried = _version;
         if (a.Mesh is null || b.Mesh is null) return false;
-        return IsGap(a.Mesh, b.Mesh, Math.Max(1, Math.Max(a.Mesh.VertexCount, b.Mesh.VertexCount) / Looks))
-            && IsGap(a.Mesh, b.Mesh, 1);
+        int some = Math.Max(1, Math.Max(a.Mesh.VertexCount, b.Mesh.VertexCount) / Looks);
+        return IsSlabGap(a.Mesh, b.Mesh) || (IsGap(a.Mesh, b.Mesh, some) && IsGap(a.Mesh, b.Mesh, 1));
     }
+
+    private bool IsSlabGap(TriangleMesh a, TriangleMesh b) =>
+        _between - SlabReach(a, _alongA) - SlabReach(b, _alongB) > _limit;
+
+    /// <summary>How far a mesh reaches, at most, without a look at its vertices.</summary>
+    private static double SlabReach(TriangleMesh mesh, in Double3 along) =>
+        mesh.Slab?.Reach(along) ?? Double3.Dot(along, mesh.Tree.Origin) + mesh.Tree.Radius;
 
     private bool IsGap(TriangleMesh a, TriangleMesh b, int step) =>
         _between - a.Reach(_alongA, step) - b.Reach(_alongB, step) > _limit;

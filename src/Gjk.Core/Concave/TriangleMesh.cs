@@ -18,6 +18,9 @@ public sealed partial class TriangleMesh
     /// <summary>The tree over the triangles.</summary>
     internal readonly PartTree Tree;
 
+    /// <summary>Where all vertices are, if the mesh is flat and its heights have not changed.</summary>
+    internal MeshSlab? Slab { get; private set; }
+
     /// <summary>Of each connected piece whether its normals look into the solid; empty where none do.</summary>
     private readonly bool[] _looksIn;
 
@@ -45,6 +48,7 @@ public sealed partial class TriangleMesh
         Scale = Vector3.One;
         _scale = Scale;
         Tree = BuildTree(workers);
+        Slab = MeshSlab.Of(this);
         _looksIn = PieceSides.LooksIn(this);
     }
 
@@ -56,6 +60,7 @@ public sealed partial class TriangleMesh
         Scale = scale;
         _scale = scale;
         Tree = like is null ? BuildTree(workers) : PartTreeRefit.Fit(Source, like);
+        Slab = MeshSlab.Of(this);
         _looksIn = PieceSides.LooksIn(this);
         HeightField = grid is null ? null : new HeightField(this, grid);
     }
@@ -212,7 +217,11 @@ public sealed partial class TriangleMesh
     internal Double3 GetPlace(int vertex) => Double3.Multiply(_list.Vertex(vertex), _scale);
 
     /// <inheritdoc cref="TriangleList.SetHeight"/>
-    internal void SetHeight(int vertex, float height, bool isZUp) => _list.SetHeight(vertex, height, isZUp);
+    internal void SetHeight(int vertex, float height, bool isZUp)
+    {
+        Slab = null;
+        _list.SetHeight(vertex, height, isZUp);
+    }
 
     /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>
     internal double Reach(in Double3 direction, int step)
