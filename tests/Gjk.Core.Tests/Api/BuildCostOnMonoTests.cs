@@ -41,7 +41,7 @@ public class BuildCostOnMonoTests
         ("BestNormal.set_Normal", "once for each normal"),
         ("GjkDistance.Stop", "once for each search"), ("GjkDistance.Tell", Trace),
         ("Proofs.IsCertainlyInside", "once, where the simplex may hold the origin"),
-        ("FaceSearch.Made", "it changes its copy"),
+        ("FaceSearch.Made", "it changes its copy"), ("CompoundShape.BoxOf", Making), ("BoxFit.set_Origin", Making),
     ];
 
     private static readonly (string Method, string Reason)[] LargeLocals =
@@ -57,7 +57,8 @@ public class BuildCostOnMonoTests
         ("SideNormal.*", "shapes that touch at their sides"), ("SettledContact.LookAtStart", Answer),
         ("ImpactQuestion.*", Answer), ("RayQuestion.TryBegin", Answer), ("MetFeatures.Of", Answer),
         ("Polytope.Grow", "once, in the few searches that outgrow the first room"),
-        ("AnyShape.*", Making), ("CompoundShape.*", Making), ("TriangleMesh.GetShape", Part),
+        ("AnyShape.*", Making), ("CompoundShape.*", Making), ("CompoundPart.ctor", Making),
+        ("TriangleMesh.GetShape", Part),
         ("TriangleMesh.GetMassProperties", Making), ("MassProperties.Turned", Making), ("MassForms.*", Making),
         ("StillStart.Run", Answer),
         ("ConcaveQuery.*", Answer), ("PartQuery.*", Part), ("PartPairSearch.*", Answer), ("PartCastSearch.*", Part),
