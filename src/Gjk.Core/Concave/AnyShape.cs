@@ -5,7 +5,6 @@ namespace Gjk.Core;
 /// <remarks>Immutable, but for the heights of a mesh (<see cref="HeightField.SetHeights"/>). Copies share the mesh or
 /// compound. Parts have numbers: those of the mesh's triangles or of the compound's parts, as the caller gave them; a
 /// convex shape's number is -1.</remarks>
-[DebuggerDisplay("{" + nameof(Kind) + "}, {" + nameof(PartCount) + "} parts")]
 public readonly struct AnyShape
 {
     private readonly ConvexShape _convex;
@@ -56,6 +55,15 @@ public readonly struct AnyShape
     /// <exception cref="ArgumentNullException">The compound is null.</exception>
     public static AnyShape Of(CompoundShape compound) =>
         new(AnyShapeKind.Compound, default, null, Guard.NotNull(compound, nameof(compound)));
+
+    /// <summary>The convex shape's text, or the kind and the number of triangles or parts, as "Solid of 12
+    /// triangles".</summary>
+    public override string ToString() => Kind switch
+    {
+        AnyShapeKind.Surface or AnyShapeKind.Solid => FormattableString.Invariant($"{Kind} of {PartCount} triangles"),
+        AnyShapeKind.Compound => FormattableString.Invariant($"{Kind} of {PartCount} parts"),
+        _ => _convex.ToString(),
+    };
 
     /// <summary>How many parts it has: triangles, a compound's parts, or 1.</summary>
     public int PartCount => Mesh?.TriangleCount ?? Compound?.PartCount ?? (Kind == AnyShapeKind.Convex ? 1 : 0);

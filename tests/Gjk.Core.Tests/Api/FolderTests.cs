@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 119,
         ["Batch"] = 165,
         ["BroadPhase"] = 1017,
-        ["Concave"] = 2988,
+        ["Concave"] = 2991,
         ["Concave/Trees"] = 741,
         ["Contacts"] = 966,
         ["Cores"] = 571,

@@ -26,6 +26,19 @@ public class SolidTests
     }
 
     [Fact]
+    public void AShapeSaysWhatItIs()
+    {
+        TriangleMesh torus = ConcaveShapes.Torus(8, 6);
+        var ball = ConvexShape.Sphere(1);
+        Assert.Equal("Solid of 96 triangles", AnyShape.Solid(torus).ToString());
+        Assert.Equal("Surface of 96 triangles", AnyShape.Surface(torus).ToString());
+        Assert.Equal(ball.ToString(), AnyShape.Of(ball).ToString());
+        Assert.Equal(default(ConvexShape).ToString(), default(AnyShape).ToString());
+        var two = new CompoundShape([new(ball, RigidPose.Identity), new(ball, new RigidPose(Vector3.UnitX))]);
+        Assert.Equal("Compound of 2 parts", AnyShape.Of(two).ToString());
+    }
+
+    [Fact]
     public void APointIsInATorusWhereTheFormulaSaysSo()
     {
         var random = new FuzzRandom(7);
