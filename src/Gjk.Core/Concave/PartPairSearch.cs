@@ -71,6 +71,8 @@ internal struct PartPairSearch
             if (search.PartA >= 0 && search.Best.IsOverlapping) return;
         }
 
+        // Most pairs of a scene are so far apart that the balls around them tell.
+        if (search.Frame.LeastDistanceSquared > search.Reached) return;
         if (search.PartA < 0 && scratch.Plane.IsSlabBeyond(scratch.A, scratch.B, search.Limit))
         {
             search.LowerBound = Math.Min(search.LowerBound, scratch.Plane.LowerBound);

@@ -36,6 +36,16 @@ internal struct TreeFrame
     /// <summary>The part of <see cref="Room"/> that double takes, where the trees lie far from their frames.</summary>
     public float FarRoom;
 
+    /// <summary>In pair units: a lower bound of the squared distance, that of the balls around the trees.</summary>
+    public readonly double LeastDistanceSquared
+    {
+        get
+        {
+            double gap = Math.Max(Translation.Length - RadiusA - RadiusB - Room, 0);
+            return gap * gap;
+        }
+    }
+
     public static void Compose(
         PartTree a, in RigidPose poseA, PartTree b, in RigidPose poseB, double reach, out TreeFrame frame)
     {
