@@ -3,6 +3,9 @@ namespace Gjk.Core;
 /// <summary>Casts that pass shallow contacts, of a body that begins inside a union of parts or objects: the body is
 /// moved out of the union first, by the deepest way out after the other, and what it does not get deeper into from
 /// there is passed. So it slides along the union as along a single body, and a wall still stops it.</summary>
+/// <remarks>What begins outside may be in parts that it passes, as it leaves them before it is too deep, when
+/// the seam of the next one stops it. From just outside of them, with the rest of its motion, it meets their surface
+/// there, or a wall; so the seam is told from a wall.</remarks>
 internal static class UnionLift
 {
     /// <summary>Count: a corner of a room takes three ways out; more are harmless.</summary>
@@ -11,6 +14,10 @@ internal static class UnionLift
     /// <summary>Ratio to the coordinates and the depth: 2^-20, some roundings of a position to float. Pinned by
     /// UnionSlideTests.</summary>
     private const float Rounding = 1f / (1 << 20);
+
+    /// <summary>A cosine, of 2.5 degrees: normals that differ by less are of one surface. Walls are far from it; a bend
+    /// that is smaller is climbed as well as stopped at.</summary>
+    private const float SameWay = 0.999f;
 
     /// <summary>Moves a body out of what it overlaps deeper than is allowed.</summary>
     /// <param name="start">What a cast says of the start.</param>
@@ -30,7 +37,37 @@ internal static class UnionLift
     public static float RoundingOf(in RigidPose pose) =>
         (float)Math.Min(Rounding * ((Double3)pose.Position).SumOfMagnitudes, float.MaxValue);
 
-    /// <summary>What is passed from there: also what the rounding of its pose makes.</summary>
-    public static CastOptions OptionsAt(in RigidPose pose, in CastOptions options) =>
-        CastOptions.OnlyDeeper(Math.Max(options.AllowedDepth, RoundingOf(pose)));
+    /// <summary>What is passed where a body is lifted to, and on the way there: what rounding makes. It begins deeper
+    /// than is allowed, and what it gets deeper by in short steps adds up.</summary>
+    public static CastOptions Within(float rounding) => CastOptions.OnlyDeeper(rounding);
+
+    /// <summary>Whether a hit may be with a seam: the body goes deeper there into something that it passes, which
+    /// looks another way. It is moved out of that, and a little further.</summary>
+    /// <param name="hit">On the way.</param>
+    /// <param name="start">What a cast says of the body at rest where it is hit.</param>
+    /// <param name="way">The motion of the body, which takes it further in.</param>
+    /// <param name="rounding">World units, of both poses.</param>
+    /// <param name="sign">1 for B, -1 for A.</param>
+    /// <param name="pose">Of the body, there.</param>
+    public static bool TryLeave(
+        in CastResult hit, in CastResult start, Vector3 way, float rounding, float sign, ref RigidPose pose)
+    {
+        float room = 2 * rounding;
+        bool isIn = start.Status == CastStatus.OverlappingAtStart && start.Depth > room
+            && sign * Vector3.Dot(way, start.Normal) < 0;
+        Vector3 moved = pose.Position + sign * (start.Depth + room) * start.Normal;
+        if (!isIn || hit.Normal == start.Normal || !Guard.IsFinite(moved)) return false;
+        pose = new RigidPose(pose.Rotation, moved);
+        return true;
+    }
+
+    /// <summary>The contact in place of a hit with a seam: the first one, if it is with the surface that the body is
+    /// in.</summary>
+    public static CastHit OfSurface(in CastHit hit, in CastResult start, in CastHit first) =>
+        first.IsHit && first.Fraction <= hit.Fraction && IsSameWay(first.Result, start) ? first : hit;
+
+    /// <summary>Whether what is met from outside of the surface is that surface, or nothing.</summary>
+    public static bool IsFlush(in CastResult above, in CastResult start) => !above.MayHit || IsSameWay(above, start);
+
+    private static bool IsSameWay(in CastResult a, in CastResult b) => Vector3.Dot(a.Normal, b.Normal) > SameWay;
 }

@@ -81,9 +81,15 @@ internal unsafe ref struct ContactPlaces
                 : FeatureOverlap.Find(ref b, ref a, false, _slack, _places);
         }
         while (IsLittleOf(width = Measure(count, areFaces), ref a, ref b));
-        if ((a.IsOnSide || b.IsOnSide) && width <= _least) return;
+        int first = -1, last = -1;
+        if (!areFaces) FindLeft(count, isACut, ref a, ref b, out first, out last);
+        double beside = Math.Max(LengthBeside(first, isACut, a, b), LengthBeside(last, isACut, a, b));
+        _reach = Math.Max(_reach, Reach * beside);
+        if ((a.IsOnSide || b.IsOnSide) && Math.Max(width, beside) <= _least) return;
         for (int i = 0; i < count; i++)
             if (SharpTips.TryKeep(ref _places[i], ref a, ref b, _slack)) Name(ref _places[i], ref a, ref b);
+        AddBeside(first, isACut, ref a, ref b);
+        if (last != first) AddBeside(last, isACut, ref a, ref b);
         for (int i = 0; i < Count; i++) _places[i].TakeMiddle();
         RemoveFlat();
     }
@@ -154,6 +160,11 @@ internal unsafe ref struct ContactPlaces
             place.Id = ContactFeature.Of(CornerOf(ref a, nameA), CornerOf(ref b, nameB));
         }
 
+        Add(place);
+    }
+
+    private void Add(in ContactPlace place)
+    {
         for (int i = Count - 1; i >= 0; i--)
         {
             if (_places[i].Id != place.Id) continue;
@@ -162,6 +173,44 @@ internal unsafe ref struct ContactPlaces
         }
 
         _places[Count++] = place;
+    }
+
+    /// <summary>The edges of a face over which a round side leaves it that runs along them; -1 where there is
+    /// none.</summary>
+    private readonly void FindLeft(
+        int count, bool isLineOfA, ref FlatFeature a, ref FlatFeature b, out int first, out int last)
+    {
+        first = last = -1;
+        ref FlatFeature line = ref isLineOfA ? ref a : ref b;
+        if (!(line.RoundnessAt(0) + line.RoundnessAt(1) > 0)) return;
+        for (int i = 0; i < count; i++)
+        {
+            ref ContactPlace place = ref _places[i];
+            bool isCrossing = place.CornerA < 0 && place.CornerB < 0;
+            if (!isCrossing || Sine(ref a, place.EdgeA, ref b, place.EdgeB) > Parallel) continue;
+            last = isLineOfA ? place.EdgeB : place.EdgeA;
+            if (first < 0) first = last;
+        }
+    }
+
+    private readonly SharedLength Beside(int edge, bool isLineOfA, in FlatFeature a, in FlatFeature b) =>
+        new(a, isLineOfA ? 0 : edge, b, isLineOfA ? edge : 0, _slack);
+
+    private readonly double LengthBeside(int edge, bool isLineOfA, in FlatFeature a, in FlatFeature b) =>
+        edge < 0 ? 0 : Beside(edge, isLineOfA, a, b).Length;
+
+    /// <summary>Beyond where a round side leaves a face it lies over the edge, up to where the shorter of the two
+    /// ends.</summary>
+    private void AddBeside(int edge, bool isLineOfA, ref FlatFeature a, ref FlatFeature b)
+    {
+        if (edge < 0) return;
+        SharedLength shared = Beside(edge, isLineOfA, a, b);
+        ref FlatFeature face = ref isLineOfA ? ref b : ref a;
+        double u = face[edge].InwardU, v = face[edge].InwardV, sign = isLineOfA ? 1 : -1;
+        double atBegin = sign * shared.ApartTowards(shared.Begin, u, v);
+        double atEnd = sign * shared.ApartTowards(shared.End, u, v);
+        if (shared.IsThere && Math.Min(atBegin, atEnd) < 0)
+            AddEnd(shared, atBegin < atEnd ? shared.Begin : shared.End, ref a, ref b);
     }
 
     /// <summary>The end of an edge that is within reach of a place; -1 where neither is.</summary>
@@ -221,7 +270,7 @@ internal unsafe ref struct ContactPlaces
     /// <summary>Two edges that are as good as parallel share a length: its two ends, between both.</summary>
     private void FindAlong(ref FlatFeature a, ref FlatFeature b)
     {
-        var shared = new SharedLength(a, b, _slack);
+        var shared = new SharedLength(a, 0, b, 0, _slack);
         _reach = Math.Max(Reach * shared.Length, 2 * _slack);
         if (!shared.IsThere || ((a.IsOnSide || b.IsOnSide) && shared.Length <= _least)) return;
         AddEnd(shared, shared.Begin, ref a, ref b);
@@ -233,6 +282,6 @@ internal unsafe ref struct ContactPlaces
         if (!shared.TryPlace(along, out ContactPlace place)) return;
         place.Id = ContactFeature.Of(
             CornerOf(ref a, shared.EndOfA(along, _reach)), CornerOf(ref b, shared.EndOfB(along, _reach)));
-        _places[Count++] = place;
+        Add(place);
     }
 }

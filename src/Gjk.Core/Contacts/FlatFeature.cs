@@ -81,10 +81,9 @@ internal unsafe struct FlatFeature
         IsSure = Margin * (Secant - 1) <= Level * size && (Count > 2 || !IsOnSide);
     }
 
-    /// <summary>Whether a face and another look so far aside of each other that they meet in an edge.</summary>
-    public readonly bool IsSteepTo(in FlatFeature other, double slope) =>
-        (_riseU + other._riseU) * (_riseU + other._riseU) + (_riseV + other._riseV) * (_riseV + other._riseV)
-            > slope * slope;
+    /// <summary>How fast the gap between this and another opens along a direction of unit length.</summary>
+    public readonly double OpensTo(in FlatFeature other, double u, double v) =>
+        -(_riseU + other._riseU) * u - (_riseV + other._riseV) * v;
 
     /// <summary>Whether it is what a disc is shown by, whose edges are not the shape's.</summary>
     public readonly bool IsDisc;

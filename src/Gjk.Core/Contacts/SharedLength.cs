@@ -25,13 +25,16 @@ internal readonly unsafe struct SharedLength
     /// <summary>Length: how far sharp edges may part.</summary>
     private readonly double _slack;
 
-    /// <param name="a">A's edge.</param>
-    /// <param name="b">B's edge.</param>
+    /// <param name="a">What A shows.</param>
+    /// <param name="edgeA">Which edge of it.</param>
+    /// <param name="b">What B shows.</param>
+    /// <param name="edgeB">Which edge of it.</param>
     /// <param name="slack">Length: sharp edges that part by less coincide.</param>
-    public SharedLength(in FlatFeature a, in FlatFeature b, double slack)
+    public SharedLength(in FlatFeature a, int edgeA, in FlatFeature b, int edgeB, double slack)
     {
-        double u = a[1].U - a[0].U, v = a[1].V - a[0].V, length = Math.Sqrt(u * u + v * v);
-        double otherU = b[1].U - b[0].U, otherV = b[1].V - b[0].V;
+        ref FlatCorner p = ref a[edgeA], q = ref a.After(edgeA), r = ref b[edgeB], s = ref b.After(edgeB);
+        double u = q.U - p.U, v = q.V - p.V, length = Math.Sqrt(u * u + v * v);
+        double otherU = s.U - r.U, otherV = s.V - r.V;
         double otherLength = Math.Sqrt(otherU * otherU + otherV * otherV);
         (u, v, otherU, otherV) = (u / length, v / length, otherU / otherLength, otherV / otherLength);
         double cosine = u * otherU + v * otherV, sine = u * otherV - v * otherU;
@@ -42,8 +45,8 @@ internal readonly unsafe struct SharedLength
         length = Math.Sqrt(u * u + v * v);
         _u = u / length;
         _v = v / length;
-        _a = new Line(a, _u, _v);
-        _b = new Line(b, _u, _v);
+        _a = new Line(a, edgeA, _u, _v);
+        _b = new Line(b, edgeB, _u, _v);
         _slack = slack;
         Begin = Math.Max(_a.Least, _b.Least);
         End = Math.Min(_a.Most, _b.Most);
@@ -52,6 +55,14 @@ internal readonly unsafe struct SharedLength
 
     /// <summary>How much is shared.</summary>
     public double Length => End - Begin;
+
+    /// <summary>How far A's edge is from B's across them, towards a direction; negative where it lies the other
+    /// way.</summary>
+    public double ApartTowards(double along, double u, double v)
+    {
+        double apart = _a.AcrossAt(along) - _b.AcrossAt(along);
+        return u * -_v + v * _u < 0 ? -apart : apart;
+    }
 
     /// <summary>The place between the edges at an end of what they share; false where they part too far.</summary>
     public bool TryPlace(double along, out ContactPlace place)
@@ -87,19 +98,20 @@ internal readonly unsafe struct SharedLength
         public readonly double Least, Most;
 
         private readonly double _across, _slope, _roundness, _taper;
-        private readonly int _first;
+        private readonly int _first, _last;
 
-        public Line(in FlatFeature edge, double u, double v)
+        public Line(in FlatFeature feature, int edge, double u, double v)
         {
-            ref FlatCorner p = ref edge[0], q = ref edge[1];
+            int next = edge + 1 < feature.Count ? edge + 1 : 0;
+            ref FlatCorner p = ref feature[edge], q = ref feature[next];
             double from = u * p.U + v * p.V, to = u * q.U + v * q.V;
-            _first = from <= to ? 0 : 1;
+            (_first, _last) = from <= to ? (edge, next) : (next, edge);
             Least = Math.Min(from, to);
             Most = Math.Max(from, to);
             _slope = (u * (q.V - p.V) - v * (q.U - p.U)) / (to - from);
             _across = u * p.V - v * p.U + _slope * (Least - from);
-            _roundness = edge.RoundnessAt(_first);
-            _taper = (edge.RoundnessAt(1 - _first) - _roundness) / (Most - Least);
+            _roundness = feature.RoundnessAt(_first);
+            _taper = (feature.RoundnessAt(_last) - _roundness) / (Most - Least);
         }
 
         public double AcrossAt(double along) => _across + _slope * (along - Least);
@@ -109,7 +121,7 @@ internal readonly unsafe struct SharedLength
         public int EndAt(double along, double reach)
         {
             double fromLeast = Math.Abs(along - Least), fromMost = Math.Abs(along - Most);
-            return !(Math.Min(fromLeast, fromMost) <= reach) ? -1 : fromLeast <= fromMost ? _first : 1 - _first;
+            return !(Math.Min(fromLeast, fromMost) <= reach) ? -1 : fromLeast <= fromMost ? _first : _last;
         }
     }
 }

@@ -20,8 +20,9 @@ public readonly struct CastOptions : IEquatable<CastOptions>
     /// other than is allowed, and deeper than they are at the start. So what overlaps at the start may slide and leave,
     /// and a body that slides over the seam of two flush tiles is not stopped. Of meshes, compounds and
     /// scenes a contact counts only if it does so from where the body is out of their union, too: what is inside the
-    /// union at the start may slide along it. The fraction of a contact that counts is still the one at which the
-    /// shapes first share a point.</summary>
+    /// union at the start may slide along it, but gets no deeper, however short its steps are. The fraction of a
+    /// contact that counts is still the one at which the shapes first share a point. Where a cast along flush parts
+    /// gets too deep in one of them, the contact is the first with their surface, not that with the seam.</summary>
     /// <param name="allowedDepth">World units, at least 0. What positions in float are off by, some 1e-6 of the sizes
     /// and coordinates, is too little to see and enough for seams. A millionth of the way after the contact is allowed
     /// on top of it: what rounding does to a motion along a surface.</param>

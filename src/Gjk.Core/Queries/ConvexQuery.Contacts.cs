@@ -15,7 +15,8 @@ public static unsafe partial class ConvexQuery
     /// rocks, keeps the corners of one that is about to touch.</param>
     /// <param name="manifold">Gets the points: none when the shapes are further apart than <paramref name="maxGap"/> or
     /// invalid. A face on a face has up to four, an edge on a face two, as have parallel cylinders, or a round side
-    /// along an edge, a corner one; where two cross deeper between their ends, a third lies there. They hold a point as
+    /// along an edge, a corner one; where two cross deeper between their ends, or a round side leaves a face over an
+    /// edge that it runs along, a third may lie there. They hold a point as
     /// deep as the deepest, to within 1e-6 of the size, and span at least 80 % of the largest area that four points of
     /// what is shared can (as measured over random faces, and 99 % on the average). Shapes whose face, edge or corner
     /// there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of deepest points. Every

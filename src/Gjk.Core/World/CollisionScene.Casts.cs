@@ -25,10 +25,31 @@ public sealed partial class CollisionScene
     {
         CheckCast(shape, pose, translation, maxFraction);
         MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
+        hit = First(moving, maxFraction);
+        if (options.PassesShallow && hit.IsHit)
+            hit = OffSeam(moving, pose, maxFraction, hit);
+        return hit.Id >= 0;
+    }
+
+    private CastHit First(in MovingShape moving, float maxFraction)
+    {
         var first = new FirstCastHit(_objects, moving, maxFraction);
         _phase.Sweep(moving.Path(), ref first);
-        hit = first.Hit;
-        return hit.Id >= 0;
+        return first.Hit;
+    }
+
+    /// <summary>What takes the place of a hit with the seam of objects that the shape has been passing: the contact
+    /// with their surface.</summary>
+    private CastHit OffSeam(in MovingShape moving, in RigidPose pose, float maxFraction, in CastHit hit)
+    {
+        RigidPose at = moving.PoseAt(hit.Fraction);
+        CastResult start = First(moving.RestingAt(at), 0).Result;
+        float rounding = UnionLift.RoundingOf(at);
+        if (!UnionLift.TryLeave(hit.Result, start, moving.Translation, rounding, -1, ref at)) return hit;
+        CastResult above = First(moving.StoppedAfter(hit.Fraction, at), maxFraction - hit.Fraction).Result;
+        return UnionLift.IsFlush(above, start)
+            ? UnionLift.OfSurface(hit, start, First(moving.StoppedAfter(0, pose), maxFraction))
+            : hit;
     }
 
     /// <summary>All objects that a shape meets when it is translated, as it would without the others.</summary>
@@ -67,10 +88,9 @@ public sealed partial class CollisionScene
         RigidPose lifted = pose;
         for (int i = 0; i < UnionLift.MostLifts; i++)
         {
-            MovingShape resting = moving.RestingAt(lifted);
-            var start = new FirstCastHit(_objects, resting, 0);
-            _phase.Sweep(resting.Path(), ref start);
-            if (!UnionLift.TryMove(start.Hit.Result, options, -1, ref lifted)) break;
+            CastHit start = First(moving.RestingAt(lifted), 0);
+            CastOptions passed = lifted == pose ? options : UnionLift.Within(UnionLift.RoundingOf(lifted));
+            if (!UnionLift.TryMove(start.Result, passed, -1, ref lifted)) break;
         }
 
         return lifted == pose ? moving : moving.LiftedTo(lifted);

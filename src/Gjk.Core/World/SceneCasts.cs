@@ -6,6 +6,7 @@ internal readonly struct MovingShape(
     in CastOptions options, in RigidPose lifted)
 {
     public readonly QueryFilter Filter = filter;
+    public readonly Vector3 Translation = translation;
     private readonly ConvexShape _shape = shape;
     private readonly RigidPose _pose = pose;
     private readonly CastOptions _options = options;
@@ -17,25 +18,33 @@ internal readonly struct MovingShape(
     /// <summary>The same shape at rest, elsewhere.</summary>
     public MovingShape RestingAt(in RigidPose at) => new(_shape, at, Vector3.Zero, 0, Filter, default, at);
 
+    /// <summary>What is left of the motion after a fraction, from another pose, which passes nothing.</summary>
+    public MovingShape StoppedAfter(float fraction, in RigidPose from) =>
+        new(_shape, from, Translation, maxFraction - fraction, Filter, default, from);
+
+    /// <summary>Where it is after a fraction of the motion.</summary>
+    public RigidPose PoseAt(float fraction) =>
+        new(_pose.Rotation, (Vector3)((Double3)_pose.Position + (Double3)Translation * fraction));
+
     /// <summary>The same motion, which passes what it does not get deeper into from another pose.</summary>
-    public MovingShape LiftedTo(in RigidPose at) => new(_shape, _pose, translation, maxFraction, Filter, _options, at);
+    public MovingShape LiftedTo(in RigidPose at) => new(_shape, _pose, Translation, maxFraction, Filter, _options, at);
 
     /// <summary>When it meets an object.</summary>
     public CastHit Cast(SceneObjects objects, int slot)
     {
         CastHit found = Cast(objects, slot, _pose, _options);
         bool isLifted = _lifted != _pose && found.Result.MayHit;
-        return isLifted && !Cast(objects, slot, _lifted, UnionLift.OptionsAt(_lifted, _options)).Result.MayHit
+        return isLifted && !Cast(objects, slot, _lifted, UnionLift.Within(UnionLift.RoundingOf(_lifted))).Result.MayHit
             ? new CastHit(CastResult.Nothing(CastStatus.Miss, maxFraction, 0))
             : found;
     }
 
     private CastHit Cast(SceneObjects objects, int slot, in RigidPose from, in CastOptions passed)
     {
-        if (objects.Parts.Has(slot)) return objects.Parts.Cast(_shape, from, translation, slot, maxFraction, passed);
+        if (objects.Parts.Has(slot)) return objects.Parts.Cast(_shape, from, Translation, slot, maxFraction, passed);
         ref readonly ConvexShape other = ref objects.Shapes[slot];
         ref readonly RigidPose at = ref objects.Poses[slot];
-        CastResult found = ConvexQuery.Cast(_shape, from, translation, other, at, Vector3.Zero, maxFraction, passed);
+        CastResult found = ConvexQuery.Cast(_shape, from, Translation, other, at, Vector3.Zero, maxFraction, passed);
         MetFeature feature = found.Status == CastStatus.Hit
             ? MetFeatures.Of(_shape, from, other, at, found.Normal)
             : MetFeature.None;
@@ -48,7 +57,7 @@ internal readonly struct MovingShape(
         ConcaveScratch scratch = objects.Parts.Rent();
         List<CastHit> parts = scratch.Casts;
         ConcaveQuery.CastAll(
-            AnyShape.Of(_shape), _pose, translation, objects.Parts[slot], objects.Poses[slot], Vector3.Zero, scratch,
+            AnyShape.Of(_shape), _pose, Translation, objects.Parts[slot], objects.Poses[slot], Vector3.Zero, scratch,
             parts, maxFraction, _options);
         for (int i = 0; i < parts.Count; i++) hits.Add(parts[i].Of(objects.Ids[slot]));
         objects.Parts.Return(scratch);
@@ -58,7 +67,7 @@ internal readonly struct MovingShape(
     public SweptBox Path()
     {
         Aabb box = new ShapeBounds(_shape).BoxAt(_pose);
-        return new SweptBox(box.Min, box.Max, translation, maxFraction);
+        return new SweptBox(box.Min, box.Max, Translation, maxFraction);
     }
 }
 

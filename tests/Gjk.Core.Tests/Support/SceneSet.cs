@@ -88,8 +88,9 @@ internal sealed class SceneSet
     {
         (ConvexShape other, RigidPose at) = (World.Shapes[i], World.Poses[i]);
         CastResult found = ConvexQuery.Cast(shape, pose, motion, other, at, Vector3.Zero, most, options);
-        bool isPassed = lifted != pose && !ConvexQuery.Cast(
-            shape, lifted, motion, other, at, Vector3.Zero, most, UnionLift.OptionsAt(lifted, options)).MayHit;
+        CastOptions within = UnionLift.Within(UnionLift.RoundingOf(lifted));
+        bool isPassed = lifted != pose
+            && !ConvexQuery.Cast(shape, lifted, motion, other, at, Vector3.Zero, most, within).MayHit;
         if (found.MayHit && isPassed) found = CastResult.Nothing(CastStatus.Miss, most, 0);
         MetFeature feature = found.Status == CastStatus.Hit
             ? MetFeatures.Of(shape, pose, other, at, found.Normal)
@@ -107,7 +108,8 @@ internal sealed class SceneSet
             CastHit start = Seen(filter).Select(
                 k => CastAt(k, shape, now, Vector3.Zero, 0, default, now).Of(k))
                 .Where(h => h.Result.MayHit).Order().FirstOrDefault();
-            if (!UnionLift.TryMove(start.Result, options, -1, ref pose)) break;
+            CastOptions passed = i == 0 ? options : UnionLift.Within(UnionLift.RoundingOf(pose));
+            if (!UnionLift.TryMove(start.Result, passed, -1, ref pose)) break;
         }
 
         return pose;

@@ -37,6 +37,90 @@ public class UnionSlideTests
         }
     }
 
+    /// <summary>What is deeper than allowed does not sink on, however short its steps are.</summary>
+    [Theory]
+    [MemberData(nameof(Floors))]
+    public void ABodyThatIsDeepDoesNotCreepIn(string floor)
+    {
+        var scene = new CollisionScene();
+        AddFloor(scene, floor);
+        var random = new FuzzRandom(61);
+        ConvexShape[] bodies =
+        [
+            ConvexShape.Capsule(0.3f, 0.5f), ConvexShape.Box(new Vector3(0.3f, 0.8f, 0.2f)),
+            ConvexShape.Cylinder(0.3f, 0.8f),
+        ];
+        for (int i = 0; i < 60; i++)
+        {
+            Vector3 at = new(random.Float(1, 8), 1.3f - random.Float(0.0011, 0.08), random.Float(-0.1, 0.1));
+            Vector3 start = at, way = new(
+                random.OneIn(2) ? 0 : random.Float(-1e-3, 1e-3), -random.Of(9e-4f, 1e-4f, 3e-5f), 0);
+            for (int frame = 0; frame < 100; frame++)
+            {
+                scene.TryFindCastHit(bodies[i % 3], new RigidPose(at), way, out CastHit hit, options: NoDeeper);
+                at += hit.Fraction * way;
+            }
+
+            Assert.True(at.Y >= start.Y - 1e-5f, $"{floor}, {i}: by {way} from {start} to {at}");
+        }
+    }
+
+    /// <summary>A motion that ends deeper than allowed is stopped by flush tiles as by one box: where it touches them
+    /// first, with the normal of the floor, not with that of a seam.</summary>
+    [Theory]
+    [InlineData("tiles")]
+    [InlineData("field")]
+    [InlineData("compound")]
+    public void WhatGetsDeeperIsStoppedAsByOneBox(string floor)
+    {
+        int hits = 0;
+        for (int seed = 0; seed < 400; seed++)
+        {
+            var random = new FuzzRandom((ulong)seed);
+            float width = random.Float(0.2, 2), allowed = random.Of(1e-4f, 1e-3f, 1e-2f);
+            int count = (int)(20 / width);
+            float begin = random.Float(-0.1, 0.1) - 10, length = count * width;
+            float start = random.Of(0f, 0.5f, -2f) * allowed;
+            Vector3 way = new(random.Float(0.2, 5), -allowed * random.Float(0.2, 4), random.Float(-0.5, 0.5));
+            (ConvexShape body, float high) = random.Below(3) switch
+            {
+                0 => (ConvexShape.Box(new Vector3(0.5f)), 0.5f),
+                1 => (ConvexShape.Capsule(0.4f, 0.6f), 1f),
+                _ => (ConvexShape.Cylinder(0.4f, 0.6f), 0.6f),
+            };
+            CollisionScene one = new(), tiles = new();
+            one.Add(
+                ConvexShape.Box(new Vector3(length / 2, 0.5f, 10)),
+                new RigidPose(new Vector3(begin + length / 2, -0.5f, 0)));
+            CompoundPart[] parts = [.. Enumerable.Range(0, count).Select(i => new CompoundPart(
+                ConvexShape.Box(new Vector3(width / 2, 0.5f, 10)),
+                new RigidPose(new Vector3(begin + width * (i + 0.5f), -0.5f, 0))))];
+            if (floor == "compound") tiles.Add(AnyShape.Of(new CompoundShape(parts)), RigidPose.Identity);
+            else if (floor == "tiles") foreach (CompoundPart part in parts) tiles.Add(part.Shape, part.Pose);
+            else
+            {
+                TriangleMesh field = TriangleMesh.FromHeights(
+                    new float[(count + 1) * 21], count + 1, new Vector2(width, 1));
+                tiles.Add(AnyShape.Surface(field), new RigidPose(new Vector3(begin, 0, -10)));
+            }
+
+            var from = new RigidPose(new Vector3(random.Float(-3, 0), high - start, random.Float(-1, 1)));
+            CastOptions options = CastOptions.OnlyDeeper(allowed);
+            bool isHit = one.TryFindCastHit(body, from, way, out CastHit expected, options: options);
+            if (isHit) hits++;
+            bool isFound = tiles.TryFindCastHit(body, from, way, out CastHit found, options: options);
+            string what = $"{floor}, {seed}: {width}, {start} deep, by {way}, {allowed} allowed: {found}, {expected}";
+            Assert.True(isHit == isFound, what);
+            if (!isHit) continue;
+
+            // A round body that is a rounding deep is met at the seam that far aside.
+            Assert.True((found.Result.Normal - expected.Result.Normal).Length() < 0.01f, what);
+            Assert.True(Math.Abs((found.Fraction - expected.Fraction) * way.Y) <= allowed, what);
+        }
+
+        Assert.InRange(hits, 100, 399);
+    }
+
     [Theory]
     [InlineData(false, 0, 1e-3f)]
     [InlineData(true, 0, 1e-3f)]
