@@ -12,7 +12,7 @@ public sealed class ConcaveScratch
     internal readonly List<PairDistance> Pairs = [];
     internal readonly List<PairContacts> Pushes = [];
     internal readonly List<FaceContact> FaceContacts = [], Orphans = [];
-    internal readonly List<OpenPlane> Planes = [];
+    internal readonly List<OpenPlane> Planes = [], Ends = [];
     internal readonly List<bool> AreAtJoints = [];
     internal readonly List<(float Distance, int Contact)> Shallowest = [];
     internal readonly HashSet<(int PartA, int PartB)> Named = [];

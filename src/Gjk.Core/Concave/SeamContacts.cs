@@ -82,6 +82,25 @@ internal static class SeamContacts
         }
 
         RemoveCoveredFaces(scratch, side, isA);
+        List<OpenPlane> ends = scratch.Ends;
+        ends.Clear();
+        for (int i = 0; i < contacts.Count; i++)
+        {
+            PairContacts one = contacts[i];
+            if (!areAtJoints[i])
+            {
+                if (!IsCovered(scratch, side, isA, one, false))
+                    CoveredSides.AddPlane(ends, one.Manifold, isA, side.Pose);
+                continue;
+            }
+
+            var cover = new PartsCover(scratch, isA, one);
+            ConvexShape room = default;
+            CoveredSides.AddEnd(
+                ends, cover.Witness(one), cover.Outward(one), side.Part(isA ? one.PartA : one.PartB, ref room),
+                side.Pose, cover);
+        }
+
         foreach (FaceContact one in scratch.FaceContacts)
         {
             // A face that is much deeper than its pair is pushed along only where nothing else pushes.
@@ -94,10 +113,56 @@ internal static class SeamContacts
         {
             PairContacts one = contacts[i];
             if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
+            else if (TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
             else if (AreLevel(one.Result, isA)) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
+    }
+
+    /// <summary>Gives a contact at a joint the direction in which the body ends there; where the other body is the
+    /// larger one and shows a face, that face's.</summary>
+    private static bool TryFlush(ConcaveScratch scratch, bool isA, ref PairContacts one, float maxGap)
+    {
+        PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
+        ConvexShape roomA = default, roomB = default;
+        ref readonly ConvexShape a = ref scratch.A.Part(Math.Max(one.PartA, 0), ref roomA);
+        ref readonly ConvexShape b = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
+        var cover = new PartsCover(scratch, isA, one);
+        int other = isA ? one.PartB : one.PartA;
+        Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
+        if (otherSide.RadiusWith(isA ? b : a) > side.RadiusWith(isA ? a : b))
+        {
+            Double3 face = FaceAgainst(otherSide, other, isA ? b : a, outward);
+            if (face.LengthSquared > 0)
+            {
+                return CoveredSides.TryAlong(
+                    ref one, isA, a, scratch.A.Pose, b, scratch.B.Pose, maxGap, face, cover);
+            }
+        }
+
+        PairContacts flush = one;
+        bool isThere = CoveredSides.TryFlush(
+            ref flush, isA, a, scratch.A.Pose, b, scratch.B.Pose, maxGap, scratch.Ends, cover);
+        Double3 normal = flush.Manifold.Normal;
+        if (!isThere || Judge(otherSide, other, isA ? -normal : normal) == ContactFit.Ghost) return false;
+        one = flush;
+        return true;
+    }
+
+    /// <summary>The direction against the face that a part shows to a direction, if that is near; else 0.</summary>
+    private static Double3 FaceAgainst(PartSide side, int part, in ConvexShape shape, in Double3 direction)
+    {
+        if (side.Mesh is null)
+        {
+            bool isFace = MetFeatures.Of(shape, side.Pose, (Vector3)(-direction), out bool isRound) == MetFeature.Face;
+            return isFace && !isRound ? direction : default;
+        }
+
+        Double3 normal = new RotationD(side.Pose.Rotation).Rotate(ContactCone.NormalOf(side, part));
+        double along = Double3.Dot(normal, direction);
+        if (!side.IsSolid && along > 0) (normal, along) = (-normal, -along);
+        return along <= -ContactCone.LeastCosine ? -normal : default;
     }
 
     private static void RemoveCoveredFaces(ConcaveScratch scratch, PartSide side, bool isA)
@@ -158,7 +223,7 @@ internal static class SeamContacts
         ref readonly ConvexShape partB = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
         var cover = new PartsCover(scratch, isA, one);
         Double3 way = isAtJoint
-            ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), cover)
+            ? cover.EndNear(cover.Witness(one), cover.Outward(one)).Normal
             : default;
         PairContacts held = one;
         bool isThere = way.LengthSquared > 0 && Judge(otherSide, other, -way) == ContactFit.Stays

@@ -8,7 +8,7 @@ internal sealed class SceneSeams(SceneObjects objects)
     private bool[] _isCovered = new bool[16];
     private readonly List<Ground> _grounds = [], _around = [];
     private readonly List<int> _near = [];
-    private readonly List<OpenPlane> _planes = [];
+    private readonly List<OpenPlane> _planes = [], _ends = [];
     private int _center, _planeCount;
     private double _lift;
     private readonly List<(int At, PairContacts Straight)> _straight = [];
@@ -78,6 +78,7 @@ internal sealed class SceneSeams(SceneObjects objects)
     private bool Cover(List<PairContacts> contacts, int begin, int end, float maxGap)
     {
         _planes.Clear();
+        _ends.Clear();
         BeginNear();
         for (int i = begin; i < end; i++)
         {
@@ -85,8 +86,10 @@ internal sealed class SceneSeams(SceneObjects objects)
             int at = (int)(uint)_keys[i];
             FindNear(contacts, i, end, one);
             _isCovered[at] = one.GoesOnIn(_near);
-            if (!_isCovered[at]) one.AddPlane(_planes);
+            if (_isCovered[at]) one.AddEnd(_ends, _near);
+            else one.AddPlane(_planes);
         }
+
 
         bool isAny = false;
         BeginNear();
@@ -100,9 +103,21 @@ internal sealed class SceneSeams(SceneObjects objects)
                 ? !one.StandsOn(_planes)
                 : one.IsAside || (isAcross && one.IsBuried(_near, _planes));
             isAny |= isCovered;
+            if (!isCovered) one.AddPlane(_ends);
         }
 
         if (!isAny) return false;
+        BeginNear();
+        for (int i = begin; i < end; i++)
+        {
+            BodyContact one = At(contacts, i);
+            int at = (int)(uint)_keys[i];
+            if (!_isCovered[at]) continue;
+            FindNear(contacts, i, end, one);
+            if (!one.TryFlush(_near, _ends, maxGap, out PairContacts flush)) continue;
+            (contacts[at], _isCovered[at]) = (flush, false);
+        }
+
         _straight.Clear();
         BeginNear();
         for (int i = begin; i < end; i++)
@@ -255,6 +270,32 @@ internal sealed class SceneSeams(SceneObjects objects)
         private Double3 Witness => CoveredSides.InWorld(
             _isBodyA ? _contact.Result.LocalPointB : _contact.Result.LocalPointA, _objects.Poses[Ground]);
 
+        /// <summary>Adds the plane in which others end where they go on.</summary>
+        public void AddEnd(List<OpenPlane> ends, List<int> others)
+        {
+            ConvexShape room = default;
+            CoveredSides.AddEnd(
+                ends, Witness, Outward, GroundPart(ref room), _objects.Poses[Ground],
+                new GroundCover(_objects, others));
+        }
+
+        /// <summary>The contact along a plane in which static objects end together.</summary>
+        public bool TryFlush(List<int> others, List<OpenPlane> ends, float maxGap, out PairContacts flush)
+        {
+            ConvexShape groundRoom = default, bodyRoom = default;
+            ref readonly ConvexShape ground = ref GroundPart(ref groundRoom);
+            ref readonly ConvexShape body = ref BodyPart(ref bodyRoom);
+            RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
+            var cover = new GroundCover(_objects, others);
+            flush = _contact;
+            bool isThere = _isBodyA
+                ? CoveredSides.TryFlush(ref flush, false, body, bodyPose, ground, pose, maxGap, ends, cover)
+                : CoveredSides.TryFlush(ref flush, true, ground, pose, body, bodyPose, maxGap, ends, cover);
+            Double3 normal = flush.Manifold.Normal;
+            return isThere && _objects.Parts.Shows(
+                Body, _isBodyA ? _contact.PartA : _contact.PartB, _isBodyA ? normal : -normal);
+        }
+
         /// <summary>The contact along the way that all of the static objects show together.</summary>
         public bool TryStraighten(List<int> others, float maxGap, out PairContacts straight)
         {
@@ -262,7 +303,7 @@ internal sealed class SceneSeams(SceneObjects objects)
             ref readonly ConvexShape ground = ref GroundPart(ref groundRoom);
             ref readonly ConvexShape body = ref BodyPart(ref bodyRoom);
             RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
-            Double3 way = CoveredSides.WayFrom(Witness, Outward, new GroundCover(_objects, others));
+            Double3 way = new GroundCover(_objects, others).EndNear(Witness, Outward).Normal;
             straight = _contact;
             return _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
                 ? CoveredSides.TryAlong(ref straight, false, body, bodyPose, ground, pose, maxGap, way)
