@@ -145,9 +145,15 @@ internal static class CoveredSides
     public static Double3 Beside(in Double3 witness, in Double3 outward, in Double3 middle)
     {
         Double3 to = middle - witness, across = to - outward * Double3.Dot(to, outward);
-        double length = across.Length, step = Beyond * Room * witness.SumOfMagnitudes;
+        double length = across.Length, step = StepAt(witness, to.Length);
         return witness + outward * step + across * (length > step ? Aside * step / length : 0);
     }
+
+    /// <summary>A point just beyond one of a part that is so large.</summary>
+    public static Double3 JustBeyond(in Double3 point, in Double3 outward, double size) =>
+        point + outward * StepAt(point, size);
+
+    private static double StepAt(in Double3 point, double size) => Beyond * Room * (point.SumOfMagnitudes + size);
 
     /// <summary>Adds the plane in which the union ends where it goes on from a witness, if all of it ends there.</summary>
     public static void AddEnd<T>(
@@ -225,7 +231,7 @@ internal static class CoveredSides
         for (int i = 0; i < manifold.Count; i++)
         {
             Double3 foot = FootOf(manifold[i], isA, pose);
-            if (!cover.GoesOn(Beside(foot, way, foot), way)) shown.Add(manifold[i]);
+            if (!cover.GoesOn(JustBeyond(foot, way, (isA ? a : b).BoundingRadius), way)) shown.Add(manifold[i]);
         }
 
         if (shown.Count == 0) return false;

@@ -94,11 +94,13 @@ internal ref struct FaceSearch
         ContactFit tipFit = SeamContacts.Judge(other, part, -world);
         bool isShown = tipFit == ContactFit.Stays
             && !SeamContacts.GoesOn(_scratch, other, part, tip.Placed, -world);
-        if (!isShown && tipFit != ContactFit.Ghost && MayLean(mesh, other, part, shape, world))
+        ContactManifold along = Along(isOfA ? world : -world, shapeA, shapeB);
+        isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
+        isLed &= led.Gap <= 0;
+        if (!isShown && along.Count > 0 && tipFit != ContactFit.Ghost && MayLean(mesh, other, part, shape, world))
         {
-            ContactManifold level = Shown(Along(isOfA ? world : -world, shapeA, shapeB), other, part, isOfA, -world);
-            bool isDeeper = isLed && led.Gap <= 0 && led.IsOver && level.Count > 0 && !IsAsDeep(level, led.Gap);
-            if (level.Count > 0 && !isDeeper)
+            ContactManifold level = Shown(along, other, part, shape.BoundingRadius, isOfA, -world);
+            if (level.Count > 0 && !(isLed && led.IsOver && !IsAsDeep(level, led.Gap)))
             {
                 Offer(_pair.PartA, _pair.PartB, level, isOfA, led.Gap);
                 if (_own.Distance < 0) StandIn(_pair.PartA, _pair.PartB, level, isOfA, false);
@@ -106,15 +108,7 @@ internal ref struct FaceSearch
             }
         }
 
-        isLed &= led.Gap <= 0;
-        ContactManifold along = default;
-        if (isShown || !(isLed && other.IsSolid))
-        {
-            along = Along(isOfA ? world : -world, shapeA, shapeB);
-            isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
-            if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
-        }
-
+        if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
         int ledA = isOfA ? triangle : corner / 3, ledB = isOfA ? corner / 3 : triangle;
         if (isShown && along.Count > 0) Offer(_pair.PartA, _pair.PartB, along, isOfA, tip.Gap);
         else if (isLed && !isShown && led.IsOver) Offer(ledA, ledB, led.Manifold(isOfA), isOfA, led.Gap);
@@ -154,7 +148,7 @@ internal ref struct FaceSearch
 
     /// <summary>The points along a face where the other body ends, if its tip is elsewhere.</summary>
     private readonly ContactManifold Shown(
-        in ContactManifold along, PartSide other, int part, bool isOfA, in Double3 outward)
+        in ContactManifold along, PartSide other, int part, double size, bool isOfA, in Double3 outward)
     {
         if (other.Compound is null) return along;
         ContactManifold shown = default;
@@ -162,8 +156,8 @@ internal ref struct FaceSearch
         for (int i = 0; i < along.Count; i++)
         {
             Double3 foot = CoveredSides.FootOf(along[i], !isOfA, other.Pose);
-            if (!SeamContacts.GoesOn(_scratch, other, part, CoveredSides.Beside(foot, outward, foot), outward))
-                shown.Add(along[i]);
+            Double3 beyond = CoveredSides.JustBeyond(foot, outward, size);
+            if (!SeamContacts.GoesOn(_scratch, other, part, beyond, outward)) shown.Add(along[i]);
         }
 
         return shown;
