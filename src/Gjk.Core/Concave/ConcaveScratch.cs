@@ -13,7 +13,7 @@ public sealed class ConcaveScratch
     internal readonly List<PairContacts> Pushes = [];
     internal readonly List<FaceContact> FaceContacts = [], Orphans = [];
     internal readonly List<OpenPlane> Planes = [], Ends = [];
-    internal readonly List<bool> AreAtJoints = [];
+    internal readonly List<bool> AreAtJoints = [], AreOpen = [];
     internal readonly List<(float Distance, int Contact)> Shallowest = [];
     internal readonly HashSet<(int PartA, int PartB)> Named = [];
     internal readonly List<CastHit> Casts = [], Met = [];

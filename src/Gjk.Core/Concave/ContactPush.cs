@@ -77,12 +77,20 @@ internal static class ContactPush
         }
     }
 
-    /// <summary>Adds a contact, if its parts have none.</summary>
+    /// <summary>Adds a contact, if its parts have none that is as deep.</summary>
     private static bool Add(ConcaveScratch scratch, in FaceContact face, List<PairContacts> contacts)
     {
-        bool isNew = scratch.Named.Add((face.Contact.PartA, face.Contact.PartB));
-        if (isNew) contacts.Add(face.Contact);
-        return isNew;
+        PairContacts one = face.Contact;
+        if (scratch.Named.Add((one.PartA, one.PartB)))
+        {
+            contacts.Add(one);
+            return true;
+        }
+
+        int at = contacts.FindIndex(c => c.PartA == one.PartA && c.PartB == one.PartB);
+        if (contacts[at].Result.Distance <= one.Result.Distance) return false;
+        contacts[at] = one;
+        return true;
     }
 
     /// <summary>Adds the push of a contact, unless one of its direction is as deep.</summary>

@@ -70,15 +70,17 @@ internal static class SeamContacts
     {
         if (side.IsConvex) return;
         List<OpenPlane> planes = scratch.Planes;
-        List<bool> areAtJoints = scratch.AreAtJoints;
+        List<bool> areAtJoints = scratch.AreAtJoints, areOpen = scratch.AreOpen;
         planes.Clear();
         areAtJoints.Clear();
+        areOpen.Clear();
         foreach (PairContacts one in contacts)
         {
             bool isNear = !(-one.Result.Distance > maxGap), isAtJoint = IsAtJoint(scratch, isA, one, isNear);
             areAtJoints.Add(isAtJoint);
-            if (!isAtJoint && !IsAtJoint(scratch, !isA, one, isNear))
-                CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
+            bool isOpen = !isAtJoint && !IsAtJoint(scratch, !isA, one, isNear);
+            areOpen.Add(isOpen);
+            if (isOpen) CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
         }
 
         RemoveCoveredFaces(scratch, side, isA);
@@ -89,7 +91,7 @@ internal static class SeamContacts
             PairContacts one = contacts[i];
             if (!areAtJoints[i])
             {
-                if (!IsCovered(scratch, side, isA, one, false))
+                if (areOpen[i] && !IsCovered(scratch, side, isA, one, false))
                     CoveredSides.AddPlane(ends, one.Manifold, isA, side.Pose);
                 continue;
             }
@@ -113,7 +115,7 @@ internal static class SeamContacts
         {
             PairContacts one = contacts[i];
             if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
-            else if (TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
+            else if (areAtJoints[i] && TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
             else if (AreLevel(one.Result, isA)) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
         }
 
