@@ -62,8 +62,7 @@ internal ref struct FaceSearch
         {
             float depth = _best.Contact.Result.Distance;
             bool isMuchDeeper = depth < 0 && _own.Distance > depth * ContactPush.MuchLess;
-            bool isOwn = _best.Contact.PartA == _pair.PartA && _best.Contact.PartB == _pair.PartB;
-            if (isOwn && !_isGhost && !isMuchDeeper) contacts.Add(_best.Contact);
+            if (!_isGhost && !isMuchDeeper) contacts.Add(_best.Contact);
             else _scratch.FaceContacts.Add(new FaceContact(_best.Contact, _pair, _best.IsOfA, _own));
         }
         else if (_standIn.IsThere)
@@ -100,7 +99,10 @@ internal ref struct FaceSearch
         if (!isShown && along.Count > 0 && tipFit != ContactFit.Ghost && MayLean(mesh, other, part, shape, world))
         {
             ContactManifold level = Shown(along, other, part, shape.BoundingRadius, isOfA, -world);
-            if (level.Count > 0 && !(isLed && led.IsOver && !IsAsDeep(level, led.Gap)))
+            // A solid that is deeper than a gap may be is pushed by its tip, so that all of it comes out.
+            bool isDeeper = level.Count > 0 && isLed && ((led.IsOver && !IsAsDeep(level, led.Gap))
+                || (other.IsSolid && led.Gap < -2 * _maxGap));
+            if (level.Count > 0 && !isDeeper)
             {
                 Offer(_pair.PartA, _pair.PartB, level, isOfA, led.Gap);
                 if (_own.Distance < 0) StandIn(_pair.PartA, _pair.PartB, level, isOfA, false);

@@ -136,9 +136,9 @@ internal static class SeamContacts
         if (otherSide.RadiusWith(isA ? b : a) > side.RadiusWith(isA ? a : b))
         {
             Double3 face = FaceAgainst(otherSide, other, isA ? b : a, outward);
-            if (face.LengthSquared > 0)
+            if (face.LengthSquared > 0 || !otherSide.IsConvex)
             {
-                return CoveredSides.TryAlong(
+                return face.LengthSquared > 0 && CoveredSides.TryAlong(
                     ref one, isA, a, scratch.A.Pose, b, scratch.B.Pose, maxGap, face, cover);
             }
         }
