@@ -20,14 +20,7 @@ internal static class CoveredSides
     /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane, and so far
     /// beyond a witness what the union shows there. A plane across a side is turned from it by 26 degrees or
     /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
-    private const double Beyond = 1 / (1 - ContactCone.LeastCosine);
-
-    /// <summary>Ratio of so far beyond a witness and so far beside it: more is behind what goes on steeply, less may be
-    /// rounded to its edge.</summary>
-    private const double Aside = 1.0 / 16;
-
-    /// <summary>Cosine: what goes on steeper is not seen from just beyond a witness, as that is rounded.</summary>
-    private const double Steepest = 0.01;
+    public const double Beyond = 1 / (1 - ContactCone.LeastCosine);
 
     /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact. Pinned by
     /// SeamContactTests.</summary>
@@ -140,116 +133,6 @@ internal static class CoveredSides
         return true;
     }
 
-    /// <summary>A point just beyond a witness, and beside it to where the middle of what goes on there is: over that,
-    /// and not over its edge.</summary>
-    public static Double3 Beside(in Double3 witness, in Double3 outward, in Double3 middle)
-    {
-        Double3 to = middle - witness, across = to - outward * Double3.Dot(to, outward);
-        double length = across.Length, step = StepAt(witness, to.Length);
-        return witness + outward * step + across * (length > step ? Aside * step / length : 0);
-    }
-
-    /// <summary>A point just beyond one of a part that is so large.</summary>
-    public static Double3 JustBeyond(in Double3 point, in Double3 outward, double size) =>
-        point + outward * StepAt(point, size);
-
-    private static double StepAt(in Double3 point, double size) => Beyond * Room * (point.SumOfMagnitudes + size);
-
-    /// <summary>Adds the plane in which the union ends where it goes on from a witness, if all of it ends there.</summary>
-    public static void AddEnd<T>(
-        List<OpenPlane> ends, in Double3 witness, in Double3 outward, in ConvexShape own, in RigidPose pose, T cover)
-        where T : struct, ICover
-    {
-        OpenPlane end = cover.EndNear(witness, outward);
-        if (!(Double3.Dot(end.Normal, outward) > Steepest)) return;
-        RotationD turn = new(pose.Rotation);
-        bool goesOn = cover.GoesOn(end.Foot, end.Normal)
-            || GoesOn(own, turn.InverseRotate(end.Foot - pose.Position), turn.InverseRotate(end.Normal));
-        if (!goesOn) ends.Add(end);
-    }
-
-    /// <summary>The contact of two parts along a plane in which one of them ends with what is flush with it: of all
-    /// such planes the one along which they are least deep.</summary>
-    /// <param name="contact">Along their own way, which leads to where the union goes on.</param>
-    /// <param name="isA">Whether the side is of A.</param>
-    /// <param name="a">The part of A.</param>
-    /// <param name="poseA">Its pose.</param>
-    /// <param name="b">The part of B.</param>
-    /// <param name="poseB">Its pose.</param>
-    /// <param name="maxGap">In world units.</param>
-    /// <param name="planes">In which the union ends.</param>
-    /// <param name="cover">The union's other parts.</param>
-    public static bool TryFlush<T>(
-        ref PairContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
-        in RigidPose poseB, float maxGap, List<OpenPlane> planes, T cover)
-        where T : struct, ICover
-    {
-        ref readonly ConvexShape own = ref isA ? ref a : ref b;
-        RigidPose pose = isA ? poseA : poseB;
-        PairContacts best = contact;
-        Double3 outward = isA ? contact.Manifold.Normal : -contact.Manifold.Normal;
-        bool isAny = false;
-        foreach (OpenPlane plane in planes)
-        {
-            if (Double3.Dot(plane.Normal, outward) < -Room || (plane.Normal - outward).SumOfMagnitudes <= Room) continue;
-            if (!IsFlush(own, pose, plane)) continue;
-            PairContacts found = contact;
-            bool isThere = TryAlong(ref found, isA, a, poseA, b, poseB, maxGap, plane.Normal, cover);
-            if (!isThere || (isAny && found.Result.Distance <= best.Result.Distance)) continue;
-            (best, isAny) = (found, true);
-        }
-
-        contact = best;
-        return isAny;
-    }
-
-    /// <summary>The contact of two parts along a way, with the points where the union ends just beyond them.</summary>
-    /// <param name="contact">Along their own way.</param>
-    /// <param name="isA">Whether the side is of A.</param>
-    /// <param name="a">The part of A.</param>
-    /// <param name="poseA">Its pose.</param>
-    /// <param name="b">The part of B.</param>
-    /// <param name="poseB">Its pose.</param>
-    /// <param name="maxGap">In world units.</param>
-    /// <param name="way">From the side to the other body, of unit length.</param>
-    /// <param name="cover">The union's other parts.</param>
-    public static bool TryAlong<T>(
-        ref PairContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
-        in RigidPose poseB, float maxGap, in Double3 way, T cover)
-        where T : struct, ICover
-    {
-        ContactPlane plane = default;
-        ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref plane, out ContactManifold manifold);
-        if (plane.Normal.LengthSquared == 0) return false;
-        ConvexQuery.ContactsAlong(a, poseA, b, isA ? way : -way, maxGap, ref plane, out manifold);
-        ManifoldPoint tip = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
-        if (manifold.Count == 0 && tip.Gap <= Math.Max(maxGap, 0) && IsOn(isA ? a : b, tip.LocalPointA))
-            manifold.Add(isA ? tip : tip.Swapped);
-        ContactManifold shown = default;
-        shown.Begin((Vector3)(isA ? way : -way));
-        RigidPose pose = isA ? poseA : poseB;
-        for (int i = 0; i < manifold.Count; i++)
-        {
-            Double3 foot = FootOf(manifold[i], isA, pose);
-            if (!cover.GoesOn(JustBeyond(foot, way, (isA ? a : b).BoundingRadius), way)) shown.Add(manifold[i]);
-        }
-
-        if (shown.Count == 0) return false;
-        DeepestPoint.Lead(ref shown);
-        contact = new PairContacts(
-            contact.PartA, contact.PartB, DeepestPoint.Result(shown, contact.Result), shown, contact.Pair);
-        return true;
-    }
-
-    /// <summary>Whether a part ends in a plane.</summary>
-    private static bool IsFlush(in ConvexShape own, in RigidPose pose, in OpenPlane plane)
-    {
-        RotationD turn = new(pose.Rotation);
-        own.Support(turn.InverseRotate(plane.Normal), out Double3 most);
-        Double3 top = turn.Rotate(own.Center + most) + pose.Position + plane.Normal * own.Margin, to = top - plane.Foot;
-        return Math.Abs(Double3.Dot(to, plane.Normal)) <= RoomOf(plane.Foot, to, pose);
-    }
-
     /// <summary>The tip of a body against a direction, and what is opposite it.</summary>
     public static ManifoldPoint Tip(
         in ConvexShape own, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in Double3 way)
@@ -349,7 +232,7 @@ internal static class CoveredSides
     private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
         Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
-    private static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
+    public static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
         Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes);
 
     /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and

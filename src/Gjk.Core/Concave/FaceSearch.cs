@@ -158,7 +158,7 @@ internal ref struct FaceSearch
         for (int i = 0; i < along.Count; i++)
         {
             Double3 foot = CoveredSides.FootOf(along[i], !isOfA, other.Pose);
-            Double3 beyond = CoveredSides.JustBeyond(foot, outward, size);
+            Double3 beyond = FlushSides.JustBeyond(foot, outward, size);
             if (!SeamContacts.GoesOn(_scratch, other, part, beyond, outward)) shown.Add(along[i]);
         }
 
@@ -198,7 +198,8 @@ internal ref struct FaceSearch
             <= new TipContact(mesh, triangle, other, front, face).Gap;
     }
 
-    /// <summary>Takes that along which the other body's tip is the shallowest. Parts that do not overlap are not deeper than their gap may be.</summary>
+    /// <summary>Takes that along which the other body's tip is the shallowest. Parts that do not overlap are not deeper
+    /// than their gap may be.</summary>
     private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA, double tip)
     {
         PairContacts made = Made(partA, partB, manifold);

@@ -52,7 +52,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
             if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
             (Double3 min, Double3 max) = _side.Compound!.Boxes[part];
             Double3 middle = CoveredSides.InWorld((min + max) * 0.5, _side.Pose);
-            var pose = new RigidPose((Vector3)CoveredSides.Beside(witness, outward, middle));
+            var pose = new RigidPose((Vector3)FlushSides.Beside(witness, outward, middle));
             DistanceResult found = ConvexQuery.Distance(_side.Part(part, ref room), _side.Pose, shape, pose);
             if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
         }

@@ -22,7 +22,7 @@ internal static class SeamContacts
     public static void Find(ConcaveScratch scratch, in PairDistance pair, float maxGap, List<PairContacts> contacts)
     {
         PartSide a = scratch.A, b = scratch.B;
-        if (IsInnerWall(a, pair.PartA) || IsInnerWall(b, pair.PartB)) return;
+        if (ContactCone.IsInnerWall(a, pair.PartA) || ContactCone.IsInnerWall(b, pair.PartB)) return;
         ConvexShape roomA = default, roomB = default;
         ref readonly ConvexShape shapeA = ref a.Part(Math.Max(pair.PartA, 0), ref roomA);
         ref readonly ConvexShape shapeB = ref b.Part(Math.Max(pair.PartB, 0), ref roomB);
@@ -98,7 +98,7 @@ internal static class SeamContacts
 
             var cover = new PartsCover(scratch, isA, one);
             ConvexShape room = default;
-            CoveredSides.AddEnd(
+            FlushSides.AddEnd(
                 ends, cover.Witness(one), cover.Outward(one), side.Part(isA ? one.PartA : one.PartB, ref room),
                 side.Pose, cover);
         }
@@ -115,56 +115,11 @@ internal static class SeamContacts
         {
             PairContacts one = contacts[i];
             if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
-            else if (areAtJoints[i] && TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
+            else if (areAtJoints[i] && FlushSides.TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
             else if (AreLevel(one.Result, isA)) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
-    }
-
-    /// <summary>Gives a contact at a joint the direction in which the body ends there; where the other body is the
-    /// larger one and shows a face, that face's.</summary>
-    private static bool TryFlush(ConcaveScratch scratch, bool isA, ref PairContacts one, float maxGap)
-    {
-        PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
-        ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape a = ref scratch.A.Part(Math.Max(one.PartA, 0), ref roomA);
-        ref readonly ConvexShape b = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
-        var cover = new PartsCover(scratch, isA, one);
-        int other = isA ? one.PartB : one.PartA;
-        Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
-        if (otherSide.RadiusWith(isA ? b : a) > side.RadiusWith(isA ? a : b))
-        {
-            Double3 face = FaceAgainst(otherSide, other, isA ? b : a, outward);
-            if (face.LengthSquared > 0 || !otherSide.IsConvex)
-            {
-                return face.LengthSquared > 0 && CoveredSides.TryAlong(
-                    ref one, isA, a, scratch.A.Pose, b, scratch.B.Pose, maxGap, face, cover);
-            }
-        }
-
-        PairContacts flush = one;
-        bool isThere = CoveredSides.TryFlush(
-            ref flush, isA, a, scratch.A.Pose, b, scratch.B.Pose, maxGap, scratch.Ends, cover);
-        Double3 normal = flush.Manifold.Normal;
-        if (!isThere || Judge(otherSide, other, isA ? -normal : normal) == ContactFit.Ghost) return false;
-        one = flush;
-        return true;
-    }
-
-    /// <summary>The direction against the face that a part shows to a direction, if that is near; else 0.</summary>
-    private static Double3 FaceAgainst(PartSide side, int part, in ConvexShape shape, in Double3 direction)
-    {
-        if (side.Mesh is null)
-        {
-            bool isFace = MetFeatures.Of(shape, side.Pose, (Vector3)(-direction), out bool isRound) == MetFeature.Face;
-            return isFace && !isRound ? direction : default;
-        }
-
-        Double3 normal = new RotationD(side.Pose.Rotation).Rotate(ContactCone.NormalOf(side, part));
-        double along = Double3.Dot(normal, direction);
-        if (!side.IsSolid && along > 0) (normal, along) = (-normal, -along);
-        return along <= -ContactCone.LeastCosine ? -normal : default;
     }
 
     private static void RemoveCoveredFaces(ConcaveScratch scratch, PartSide side, bool isA)
@@ -268,24 +223,6 @@ internal static class SeamContacts
     {
         if (side.Mesh is null || direction.LengthSquared == 0) return ContactFit.Stays;
         return new ContactCone(side, part, new RotationD(side.Pose.Rotation).InverseRotate(direction)).Judge();
-    }
-
-    /// <summary>Whether a triangle of a solid is there as often one way as the other: it bounds nothing.</summary>
-    private static bool IsInnerWall(PartSide side, int triangle)
-    {
-        if (!side.IsSolid) return false;
-        TriangleMesh mesh = side.Mesh!;
-        mesh.GetCorners(triangle, out _, out Double3 b, out Double3 c);
-        int ways = 0;
-        for (CornerRing ring = mesh.SidesAt(3 * triangle); ring.MoveNext();)
-        {
-            Double3 after = mesh.GetCorner(ContactCone.After(ring.Current));
-            Double3 before = mesh.GetCorner(ContactCone.Before(ring.Current));
-            if (after == b && before == c) ways++;
-            else if (after == c && before == b) ways--;
-        }
-
-        return ways == 0;
     }
 
     /// <summary>Whether a convex part is apart from a triangle and beside what is over or under that, where its surface

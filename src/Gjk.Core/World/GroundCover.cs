@@ -22,7 +22,7 @@ internal readonly struct GroundCover(SceneObjects objects, List<int> others) : I
         {
             Aabb box = objects.Bounds[other].BoxAt(objects.Poses[other]);
             Double3 middle = ((Double3)box.Min + box.Max) * 0.5;
-            var pose = new RigidPose((Vector3)CoveredSides.Beside(witness, outward, middle));
+            var pose = new RigidPose((Vector3)FlushSides.Beside(witness, outward, middle));
             PairDistance near = objects.Parts.Distance(
                 ConvexShape.Point(), pose, other, float.PositiveInfinity);
             DistanceResult found = near.Result;

@@ -1,4 +1,3 @@
-using Gjk.Core.Tests.Concave;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
