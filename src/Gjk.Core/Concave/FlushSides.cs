@@ -118,6 +118,13 @@ internal static class FlushSides
     /// <summary>Whether a part ends in a plane.</summary>
     private static bool IsFlush(in ConvexShape own, in RigidPose pose, in OpenPlane plane)
     {
+        // A triangle ends at its edges too, but it is no wall there.
+        if (own.Kind == ShapeKind.Triangle
+            && MetFeatures.Of(own, pose, (Vector3)plane.Normal, out _) != MetFeature.Face)
+        {
+            return false;
+        }
+
         RotationD turn = new(pose.Rotation);
         own.Support(turn.InverseRotate(plane.Normal), out Double3 most);
         Double3 top = turn.Rotate(own.Center + most) + pose.Position + plane.Normal * own.Margin;
