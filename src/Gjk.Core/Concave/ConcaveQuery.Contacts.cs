@@ -12,10 +12,10 @@ public static partial class ConcaveQuery
     /// is invalid.</param>
     /// <param name="scratch">Memory for the search.</param>
     /// <param name="contacts">Cleared, then the contacts by the numbers of the parts: what
-    /// <c>ConvexQuery.Contacts</c> says of two parts no further apart, if both bodies end there. Where a surface, solid
-    /// or compound goes on, as at flat and concave edges, under doubled triangles and between flush parts, a triangle's
-    /// face takes the contact's place, if the body's furthest point lies behind it and no other contact pushes the two
-    /// parts apart. At a convex edge each triangle has the contact; an edge of three triangles or more counts as all of
+    /// <c>ConvexQuery.Contacts</c> says of two parts no further apart, if both bodies end there; of a compound's part
+    /// the points where the compound ends. Where a surface, solid or compound goes on, as at flat and concave edges,
+    /// under doubled triangles and between flush parts, the contact is along a face that is there instead, with all
+    /// points that are over it, if no other contact pushes the two parts apart. A pair of parts has one contact. At a convex edge each triangle has the contact; an edge of three triangles or more counts as all of
     /// them show it. An open surface has two sides; a solid pushes outward only. Of parts that overlap each pair has a
     /// contact, or the push of another one takes it apart, but for a few of a solid that is in the other shape at
     /// several places. A manifold's first point is its deepest. On a half-space each part in reach has its

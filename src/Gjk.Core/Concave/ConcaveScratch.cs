@@ -12,10 +12,9 @@ public sealed class ConcaveScratch
     internal readonly List<PairDistance> Pairs = [];
     internal readonly List<PairContacts> Pushes = [];
     internal readonly List<FaceContact> FaceContacts = [], Orphans = [];
-    internal readonly List<OpenPlane> Planes = [];
-    internal readonly List<bool> AreAtJoints = [];
+    internal readonly List<OpenPlane> Planes = [], Ends = [];
+    internal readonly List<bool> AreAtJoints = [], AreOpen = [];
     internal readonly List<(float Distance, int Contact)> Shallowest = [];
-    internal readonly HashSet<(int PartA, int PartB)> Named = [];
     internal readonly List<CastHit> Casts = [], Met = [];
     private readonly Stack<ConcaveScratch> _idle = new();
     internal PartPairSearch Search;

@@ -75,6 +75,24 @@ internal readonly ref struct ContactCone
 
     public static int Before(int side) => side % 3 == 0 ? side + 2 : side - 1;
 
+    /// <summary>Whether a triangle of a solid is there as often one way as the other: it bounds nothing.</summary>
+    public static bool IsInnerWall(PartSide side, int triangle)
+    {
+        if (!side.IsSolid) return false;
+        TriangleMesh mesh = side.Mesh!;
+        mesh.GetCorners(triangle, out _, out Double3 b, out Double3 c);
+        int ways = 0;
+        for (CornerRing ring = mesh.SidesAt(3 * triangle); ring.MoveNext();)
+        {
+            Double3 after = mesh.GetCorner(After(ring.Current));
+            Double3 before = mesh.GetCorner(Before(ring.Current));
+            if (after == b && before == c) ways++;
+            else if (after == c && before == b) ways--;
+        }
+
+        return ways == 0;
+    }
+
     /// <summary>What becomes of the contact.</summary>
     public ContactFit Judge()
     {

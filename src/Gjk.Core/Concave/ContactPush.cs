@@ -32,13 +32,10 @@ internal static class ContactPush
     /// <param name="contacts">Those that need no others to be judged, sorted; it is sorted again.</param>
     public static void AddNeeded(ConcaveScratch scratch, List<PairContacts> contacts)
     {
-        if (scratch.FaceContacts.Count == 0 && scratch.Orphans.Count == 0) return;
-        int own = contacts.Count;
-        scratch.Named.Clear();
-        foreach (PairContacts one in contacts) scratch.Named.Add((one.PartA, one.PartB));
         if (scratch.FaceContacts.Count > 0) AddFaces(scratch, contacts);
         if (scratch.Orphans.Count > 0) AddOrphans(scratch, contacts);
-        if (contacts.Count > own) InPlaceSort.Sort(contacts);
+        InPlaceSort.Sort(contacts);
+        RemoveTwice(contacts);
     }
 
     /// <summary>The shallowest face first: what is at most half as deep as a face is collected before it is judged, and
@@ -60,7 +57,7 @@ internal static class ContactPush
                 Collect(contacts[others[next].Contact], scratch.Pushes);
             for (; nextFace < contacts.Count && contacts[nextFace].Result.Distance > much; nextFace++)
                 Collect(contacts[nextFace], scratch.Pushes);
-            if (IsNeeded(scratch, faces[i])) Add(scratch, faces[i], contacts);
+            if (IsNeeded(scratch, faces[i])) contacts.Add(faces[i].Contact);
         }
     }
 
@@ -73,16 +70,24 @@ internal static class ContactPush
         foreach (PairContacts one in contacts) Collect(one, scratch.Pushes);
         foreach (FaceContact orphan in orphans)
         {
-            if (!IsHeld(scratch, orphan) && Add(scratch, orphan, contacts)) Collect(orphan.Contact, scratch.Pushes);
+            if (IsHeld(scratch, orphan)) continue;
+            contacts.Add(orphan.Contact);
+            Collect(orphan.Contact, scratch.Pushes);
         }
     }
 
-    /// <summary>Adds a contact, if its parts have none.</summary>
-    private static bool Add(ConcaveScratch scratch, in FaceContact face, List<PairContacts> contacts)
+    /// <summary>Leaves each pair of parts its deepest contact, of those sorted.</summary>
+    private static void RemoveTwice(List<PairContacts> contacts)
     {
-        bool isNew = scratch.Named.Add((face.Contact.PartA, face.Contact.PartB));
-        if (isNew) contacts.Add(face.Contact);
-        return isNew;
+        int kept = 0;
+        for (int i = 0; i < contacts.Count; i++)
+        {
+            PairContacts one = contacts[i];
+            if (kept == 0 || contacts[kept - 1].CompareTo(one) != 0) contacts[kept++] = one;
+            else if (one.Result.Distance < contacts[kept - 1].Result.Distance) contacts[kept - 1] = one;
+        }
+
+        contacts.RemoveRange(kept, contacts.Count - kept);
     }
 
     /// <summary>Adds the push of a contact, unless one of its direction is as deep.</summary>

@@ -20,7 +20,7 @@ internal static class CoveredSides
     /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane, and so far
     /// beyond a witness what the union shows there. A plane across a side is turned from it by 26 degrees or
     /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
-    private const double Beyond = 1 / (1 - ContactCone.LeastCosine);
+    public const double Beyond = 1 / (1 - ContactCone.LeastCosine);
 
     /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact. Pinned by
     /// SeamContactTests.</summary>
@@ -133,12 +133,6 @@ internal static class CoveredSides
         return true;
     }
 
-    /// <summary>Where the union goes on from a witness along the direction of a contact: the way to what is just beyond
-    /// it.</summary>
-    public static Double3 WayFrom<T>(in Double3 witness, in Double3 outward, T cover)
-        where T : struct, ICover =>
-        cover.WayTo(witness + outward * (Beyond * Room * witness.SumOfMagnitudes));
-
     /// <summary>The tip of a body against a direction, and what is opposite it.</summary>
     public static ManifoldPoint Tip(
         in ConvexShape own, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in Double3 way)
@@ -238,7 +232,7 @@ internal static class CoveredSides
     private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
         Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
-    private static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
+    public static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
         Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes);
 
     /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and

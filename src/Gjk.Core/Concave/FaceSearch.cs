@@ -8,6 +8,9 @@ internal ref struct FaceSearch
     /// More asks for the tips of both sides, which costs time only.</summary>
     private const double Steep = 0.1;
 
+    /// <summary>Sine: faces that are tilted by no more lie on each other.</summary>
+    private const double Level = 0.01;
+
     /// <summary>Ratio to a depth: points along a face of which the deepest is less deep than the tip by more are not
     /// what the body shows there. At a tenth a rocking body keeps its points.</summary>
     private const double TipRoom = 0.1;
@@ -22,6 +25,7 @@ internal ref struct FaceSearch
     private readonly float _maxGap;
     private readonly ContactPlane _plane;
     private Candidate _best, _standIn;
+    private double _bestTip;
     private bool _isGhost, _isLed;
 
     public FaceSearch(
@@ -29,6 +33,7 @@ internal ref struct FaceSearch
     {
         (_scratch, _pair, _own, _plane, _maxGap) = (scratch, pair, own, plane, Math.Max(maxGap, 0));
         _best = _standIn = default;
+        _bestTip = 0;
         _isGhost = _isLed = false;
     }
 
@@ -83,22 +88,32 @@ internal ref struct FaceSearch
         var tip = new TipContact(mesh, triangle, other, shape, face);
         if (tip.Gap > _maxGap) return;
         Double3 world = new RotationD(mesh.Pose.Rotation).Rotate(face);
-        bool isShown = SeamContacts.Judge(other, part, -world) == ContactFit.Stays
-            && !SeamContacts.GoesOn(_scratch, other, part, tip.Placed, -world);
         bool isLed = TryClimb(other, part, -world, out int corner);
         TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
+        ContactFit tipFit = SeamContacts.Judge(other, part, -world);
+        bool isShown = tipFit == ContactFit.Stays
+            && !SeamContacts.GoesOn(_scratch, other, part, tip.Placed, -world);
+        ContactManifold along = Along(isOfA ? world : -world, shapeA, shapeB);
+        isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
         isLed &= led.Gap <= 0;
-        ContactManifold along = default;
-        if (isShown || !(isLed && other.IsSolid))
+        if (!isShown && along.Count > 0 && tipFit != ContactFit.Ghost && MayLean(mesh, other, part, shape, world))
         {
-            along = Along(isOfA ? world : -world, shapeA, shapeB);
-            isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
-            if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
+            ContactManifold level = Shown(along, other, part, shape.BoundingRadius, isOfA, -world);
+            // A solid that is deeper than a gap may be is pushed by its tip, so that all of it comes out.
+            bool isDeeper = level.Count > 0 && isLed && ((led.IsOver && !IsAsDeep(level, led.Gap))
+                || (other.IsSolid && led.Gap < -2 * _maxGap));
+            if (level.Count > 0 && !isDeeper)
+            {
+                Offer(_pair.PartA, _pair.PartB, level, isOfA, led.Gap);
+                if (_own.Distance < 0) StandIn(_pair.PartA, _pair.PartB, level, isOfA, false);
+                return;
+            }
         }
 
+        if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
         int ledA = isOfA ? triangle : corner / 3, ledB = isOfA ? corner / 3 : triangle;
-        if (isShown && along.Count > 0) Offer(_pair.PartA, _pair.PartB, along, isOfA);
-        else if (isLed && !isShown && led.IsOver) Offer(ledA, ledB, led.Manifold(isOfA), isOfA);
+        if (isShown && along.Count > 0) Offer(_pair.PartA, _pair.PartB, along, isOfA, tip.Gap);
+        else if (isLed && !isShown && led.IsOver) Offer(ledA, ledB, led.Manifold(isOfA), isOfA, led.Gap);
         if (_own.Distance >= 0) return;
         if (isLed && other.IsSolid) StandIn(ledA, ledB, led.Manifold(isOfA), isOfA, true);
         else StandIn(_pair.PartA, _pair.PartB, along.Count > 0 ? along : tip.Manifold(isOfA), isOfA, false);
@@ -121,6 +136,33 @@ internal ref struct FaceSearch
         ContactPlane plane = _plane;
         ConvexQuery.ContactsAlong(shapeA, _scratch.A.Pose, shapeB, direction, _maxGap, ref plane, out manifold);
         return manifold;
+    }
+
+    /// <summary>Whether the other body's part may be pushed along a face to which it leans: along that of the larger
+    /// body, and else where they are level.</summary>
+    private static bool MayLean(PartSide mesh, PartSide other, int part, in ConvexShape shape, in Double3 face)
+    {
+        if (mesh.RadiusWith(shape) >= other.RadiusWith(shape)) return true;
+        if (other.Mesh is null) return false;
+        Double3 across = new RotationD(other.Pose.Rotation).Rotate(ContactCone.NormalOf(other, part));
+        return Double3.Cross(across, face).Length <= Level;
+    }
+
+    /// <summary>The points along a face where the other body ends, if its tip is elsewhere.</summary>
+    private readonly ContactManifold Shown(
+        in ContactManifold along, PartSide other, int part, double size, bool isOfA, in Double3 outward)
+    {
+        if (other.Compound is null) return along;
+        ContactManifold shown = default;
+        shown.Begin(along.Normal);
+        for (int i = 0; i < along.Count; i++)
+        {
+            Double3 foot = CoveredSides.FootOf(along[i], !isOfA, other.Pose);
+            Double3 beyond = FlushSides.JustBeyond(foot, outward, size);
+            if (!SeamContacts.GoesOn(_scratch, other, part, beyond, outward)) shown.Add(along[i]);
+        }
+
+        return shown;
     }
 
     /// <summary>The corner to which the other side's mesh climbs from a part along a direction in the world.</summary>
@@ -156,13 +198,15 @@ internal ref struct FaceSearch
             <= new TipContact(mesh, triangle, other, front, face).Gap;
     }
 
-    /// <summary>Takes the shallowest. Parts that do not overlap are not deeper than their gap may be.</summary>
-    private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA)
+    /// <summary>Takes that along which the other body's tip is the shallowest. Parts that do not overlap are not deeper
+    /// than their gap may be.</summary>
+    private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA, double tip)
     {
         PairContacts made = Made(partA, partB, manifold);
         double least = -2 * _maxGap - ContactCone.Slack * DeepestPoint.PlaceOf(made.Result);
         if (_own.Distance > 0 && made.Result.Distance < least) return;
-        if (!_best.IsThere || _best.Contact.Result.Distance < made.Result.Distance) _best = new(made, isOfA);
+        if (_best.IsThere && _bestTip >= tip) return;
+        (_best, _bestTip) = (new(made, isOfA), tip);
     }
 
     /// <summary>Takes a corner to which the other side climbs before other tips, and then the shallowest.</summary>

@@ -32,6 +32,9 @@ internal sealed class PartSide
     /// <summary>Whether it is a half-space: its box holds everything, so each part of the other is asked.</summary>
     public bool IsEndless => IsConvex && _convex.Kind == ShapeKind.HalfSpace;
 
+    /// <summary>World units: how far it reaches around its middle, given a part of it.</summary>
+    public double RadiusWith(in ConvexShape part) => IsConvex ? part.BoundingRadius : Tree.Radius;
+
     public bool IsConvex => Mesh is null && Compound is null;
 
     /// <returns>False where the shape or the pose is a <c>default</c> struct.</returns>

@@ -6,8 +6,9 @@ internal interface ICover
     /// <summary>Whether a part of it holds a point of the world and reaches beyond it.</summary>
     bool GoesOn(in Double3 point, in Double3 direction);
 
-    /// <summary>The way from it to a point that is near it; 0 where the point is in it.</summary>
-    Double3 WayTo(in Double3 point);
+    /// <summary>The plane in which it ends near a witness, before what is just beyond that; the way out where that is
+    /// in it.</summary>
+    OpenPlane EndNear(in Double3 witness, in Double3 outward);
 }
 
 /// <summary>The other parts of the body that a contact is of, as far as they are near the same part of the other body.
@@ -40,20 +41,22 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         return false;
     }
 
-    public Double3 WayTo(in Double3 point)
+    public OpenPlane EndNear(in Double3 witness, in Double3 outward)
     {
         var shape = ConvexShape.Point();
-        var pose = new RigidPose((Vector3)point);
         DistanceResult least = default;
         ConvexShape room = default;
         foreach (PairDistance near in scratch.Pairs)
         {
             int part = isA ? near.PartA : near.PartB;
             if (part == _own || (isA ? near.PartB : near.PartA) != _other) continue;
+            (Double3 min, Double3 max) = _side.Compound!.Boxes[part];
+            Double3 middle = CoveredSides.InWorld((min + max) * 0.5, _side.Pose);
+            var pose = new RigidPose((Vector3)FlushSides.Beside(witness, outward, middle));
             DistanceResult found = ConvexQuery.Distance(_side.Part(part, ref room), _side.Pose, shape, pose);
             if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
         }
 
-        return least.Normal;
+        return new OpenPlane(least.PointA, least.Normal, 0);
     }
 }

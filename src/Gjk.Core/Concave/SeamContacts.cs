@@ -22,7 +22,7 @@ internal static class SeamContacts
     public static void Find(ConcaveScratch scratch, in PairDistance pair, float maxGap, List<PairContacts> contacts)
     {
         PartSide a = scratch.A, b = scratch.B;
-        if (IsInnerWall(a, pair.PartA) || IsInnerWall(b, pair.PartB)) return;
+        if (ContactCone.IsInnerWall(a, pair.PartA) || ContactCone.IsInnerWall(b, pair.PartB)) return;
         ConvexShape roomA = default, roomB = default;
         ref readonly ConvexShape shapeA = ref a.Part(Math.Max(pair.PartA, 0), ref roomA);
         ref readonly ConvexShape shapeB = ref b.Part(Math.Max(pair.PartB, 0), ref roomB);
@@ -70,18 +70,39 @@ internal static class SeamContacts
     {
         if (side.IsConvex) return;
         List<OpenPlane> planes = scratch.Planes;
-        List<bool> areAtJoints = scratch.AreAtJoints;
+        List<bool> areAtJoints = scratch.AreAtJoints, areOpen = scratch.AreOpen;
         planes.Clear();
         areAtJoints.Clear();
+        areOpen.Clear();
         foreach (PairContacts one in contacts)
         {
             bool isNear = !(-one.Result.Distance > maxGap), isAtJoint = IsAtJoint(scratch, isA, one, isNear);
             areAtJoints.Add(isAtJoint);
-            if (!isAtJoint && !IsAtJoint(scratch, !isA, one, isNear))
-                CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
+            bool isOpen = !isAtJoint && !IsAtJoint(scratch, !isA, one, isNear);
+            areOpen.Add(isOpen);
+            if (isOpen) CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
         }
 
         RemoveCoveredFaces(scratch, side, isA);
+        List<OpenPlane> ends = scratch.Ends;
+        ends.Clear();
+        for (int i = 0; i < contacts.Count; i++)
+        {
+            PairContacts one = contacts[i];
+            if (!areAtJoints[i])
+            {
+                if (areOpen[i] && !IsCovered(scratch, side, isA, one, false))
+                    CoveredSides.AddPlane(ends, one.Manifold, isA, side.Pose);
+                continue;
+            }
+
+            var cover = new PartsCover(scratch, isA, one);
+            ConvexShape room = default;
+            FlushSides.AddEnd(
+                ends, cover.Witness(one), cover.Outward(one), side.Part(isA ? one.PartA : one.PartB, ref room),
+                side.Pose, cover);
+        }
+
         foreach (FaceContact one in scratch.FaceContacts)
         {
             // A face that is much deeper than its pair is pushed along only where nothing else pushes.
@@ -94,6 +115,7 @@ internal static class SeamContacts
         {
             PairContacts one = contacts[i];
             if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
+            else if (areAtJoints[i] && FlushSides.TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
             else if (AreLevel(one.Result, isA)) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
         }
 
@@ -158,7 +180,7 @@ internal static class SeamContacts
         ref readonly ConvexShape partB = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
         var cover = new PartsCover(scratch, isA, one);
         Double3 way = isAtJoint
-            ? CoveredSides.WayFrom(cover.Witness(one), cover.Outward(one), cover)
+            ? cover.EndNear(cover.Witness(one), cover.Outward(one)).Normal
             : default;
         PairContacts held = one;
         bool isThere = way.LengthSquared > 0 && Judge(otherSide, other, -way) == ContactFit.Stays
@@ -201,24 +223,6 @@ internal static class SeamContacts
     {
         if (side.Mesh is null || direction.LengthSquared == 0) return ContactFit.Stays;
         return new ContactCone(side, part, new RotationD(side.Pose.Rotation).InverseRotate(direction)).Judge();
-    }
-
-    /// <summary>Whether a triangle of a solid is there as often one way as the other: it bounds nothing.</summary>
-    private static bool IsInnerWall(PartSide side, int triangle)
-    {
-        if (!side.IsSolid) return false;
-        TriangleMesh mesh = side.Mesh!;
-        mesh.GetCorners(triangle, out _, out Double3 b, out Double3 c);
-        int ways = 0;
-        for (CornerRing ring = mesh.SidesAt(3 * triangle); ring.MoveNext();)
-        {
-            Double3 after = mesh.GetCorner(ContactCone.After(ring.Current));
-            Double3 before = mesh.GetCorner(ContactCone.Before(ring.Current));
-            if (after == b && before == c) ways++;
-            else if (after == c && before == b) ways--;
-        }
-
-        return ways == 0;
     }
 
     /// <summary>Whether a convex part is apart from a triangle and beside what is over or under that, where its surface

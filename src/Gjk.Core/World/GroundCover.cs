@@ -15,17 +15,21 @@ internal readonly struct GroundCover(SceneObjects objects, List<int> others) : I
         return false;
     }
 
-    public Double3 WayTo(in Double3 point)
+    public OpenPlane EndNear(in Double3 witness, in Double3 outward)
     {
-        var pose = new RigidPose((Vector3)point);
         DistanceResult least = default;
         foreach (int other in others)
         {
-            DistanceResult found = objects.Parts.Distance(
-                ConvexShape.Point(), pose, other, float.PositiveInfinity).Result;
+            Aabb box = objects.Bounds[other].BoxAt(objects.Poses[other]);
+            Double3 middle = ((Double3)box.Min + box.Max) * 0.5;
+            var pose = new RigidPose((Vector3)FlushSides.Beside(witness, outward, middle));
+            PairDistance near = objects.Parts.Distance(
+                ConvexShape.Point(), pose, other, float.PositiveInfinity);
+            DistanceResult found = near.Result;
+            if (!objects.Parts.Shows(other, near.PartB, -found.Normal)) continue;
             if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
         }
 
-        return -least.Normal;
+        return new OpenPlane(least.PointB, -least.Normal, 0);
     }
 }

@@ -8,7 +8,7 @@ internal sealed class SceneSeams(SceneObjects objects)
     private bool[] _isCovered = new bool[16];
     private readonly List<Ground> _grounds = [], _around = [];
     private readonly List<int> _near = [];
-    private readonly List<OpenPlane> _planes = [];
+    private readonly List<OpenPlane> _planes = [], _ends = [];
     private int _center, _planeCount;
     private double _lift;
     private readonly List<(int At, PairContacts Straight)> _straight = [];
@@ -78,6 +78,7 @@ internal sealed class SceneSeams(SceneObjects objects)
     private bool Cover(List<PairContacts> contacts, int begin, int end, float maxGap)
     {
         _planes.Clear();
+        _ends.Clear();
         BeginNear();
         for (int i = begin; i < end; i++)
         {
@@ -85,8 +86,10 @@ internal sealed class SceneSeams(SceneObjects objects)
             int at = (int)(uint)_keys[i];
             FindNear(contacts, i, end, one);
             _isCovered[at] = one.GoesOnIn(_near);
-            if (!_isCovered[at]) one.AddPlane(_planes);
+            if (_isCovered[at]) one.AddEnd(_ends, _near);
+            else one.AddPlane(_planes);
         }
+
 
         bool isAny = false;
         BeginNear();
@@ -100,9 +103,11 @@ internal sealed class SceneSeams(SceneObjects objects)
                 ? !one.StandsOn(_planes)
                 : one.IsAside || (isAcross && one.IsBuried(_near, _planes));
             isAny |= isCovered;
+            if (!isCovered) one.AddPlane(_ends);
         }
 
         if (!isAny) return false;
+        LayFlush(contacts, begin, end, maxGap);
         _straight.Clear();
         BeginNear();
         for (int i = begin; i < end; i++)
@@ -123,6 +128,22 @@ internal sealed class SceneSeams(SceneObjects objects)
         }
 
         return true;
+    }
+
+    /// <summary>Gives covered contacts the direction of a plane in which what covers them ends with their own
+    /// object.</summary>
+    private void LayFlush(List<PairContacts> contacts, int begin, int end, float maxGap)
+    {
+        BeginNear();
+        for (int i = begin; i < end; i++)
+        {
+            BodyContact one = At(contacts, i);
+            int at = (int)(uint)_keys[i];
+            if (!_isCovered[at]) continue;
+            FindNear(contacts, i, end, one);
+            if (!one.TryFlush(_near, _ends, maxGap, out PairContacts flush)) continue;
+            (contacts[at], _isCovered[at]) = (flush, false);
+        }
     }
 
     /// <summary>Before a walk over the contacts of a body, with the planes that there are.</summary>
@@ -171,118 +192,5 @@ internal sealed class SceneSeams(SceneObjects objects)
         for (int k = begin; k < end; k++)
             if (!_isCovered[(int)(uint)_keys[k]] && one.IsHeldBy(At(contacts, k))) return true;
         return false;
-    }
-
-    /// <summary>A contact as a body has it with a static object.</summary>
-    private readonly ref struct BodyContact
-    {
-        private readonly SceneObjects _objects;
-        private readonly PairContacts _contact;
-        private readonly bool _isBodyA;
-
-        public BodyContact(SceneObjects objects, scoped in PairContacts contact, int body)
-        {
-            (_objects, _contact, Body) = (objects, contact, body);
-            _isBodyA = objects.SlotOfAnswer(contact.Pair.A) == body;
-            Ground = objects.SlotOfAnswer(_isBodyA ? contact.Pair.B : contact.Pair.A);
-        }
-
-        public int Body { get; }
-
-        /// <summary>The slot of the static object.</summary>
-        public int Ground { get; }
-
-        /// <summary>From the static object to the body, in the world.</summary>
-        private Vector3 Outward => _isBodyA ? -_contact.Manifold.Normal : _contact.Manifold.Normal;
-
-        public bool Overlaps => _contact.Result.Distance < 0;
-
-        public void AddPlane(List<OpenPlane> planes) =>
-            CoveredSides.AddPlane(planes, _contact.Manifold, !_isBodyA, _objects.Poses[Ground]);
-
-        /// <summary>The box of its points on the static object, and the magnitudes of where they are; only of its
-        /// witness where there are no planes to be lifted to.</summary>
-        public void Bound(int planes, out PartBox box, out double place)
-        {
-            box = new PartBox(Witness, Witness);
-            for (int i = 0; planes > 0 && i < _contact.Manifold.Count; i++)
-            {
-                Double3 foot = CoveredSides.FootOf(_contact.Manifold[i], !_isBodyA, _objects.Poses[Ground]);
-                box.Add(foot);
-            }
-
-            place = box.Min.SumOfMagnitudes + box.Max.SumOfMagnitudes
-                + ((Double3)_objects.Poses[Ground].Position).SumOfMagnitudes;
-        }
-
-        /// <summary>Whether one of the other static objects goes on where this contact is.</summary>
-        public bool GoesOnIn(List<int> others) => new GroundCover(_objects, others).GoesOn(Witness, Outward);
-
-        /// <summary>Whether its part is there beyond the plane of another contact.</summary>
-        public bool StandsOn(List<OpenPlane> planes)
-        {
-            ConvexShape room = default;
-            return CoveredSides.StandsOn(Witness, Outward, GroundPart(ref room), _objects.Poses[Ground], planes);
-        }
-
-        /// <summary>Whether the plane of another contact is across it.</summary>
-        public bool IsAnyAcross(List<OpenPlane> planes) => CoveredSides.IsAnyAcross(planes, Outward);
-
-        /// <summary>Whether it is at a side that other static objects cover.</summary>
-        public bool IsBuried(List<int> others, List<OpenPlane> planes)
-        {
-            ConvexShape room = default;
-            return CoveredSides.IsBuried(
-                _contact.Manifold, !_isBodyA, GroundPart(ref room), _objects.Poses[Ground], planes,
-                new GroundCover(_objects, others));
-        }
-
-        /// <summary>Whether it is along a face that the static object, as it is convex, meets elsewhere: as a part of a
-        /// compound it would not have it.</summary>
-        public bool IsAside
-        {
-            get
-            {
-                if (!Overlaps || !_objects.Parts.Has(Body) || _objects.Parts.Has(Ground)) return false;
-                ConvexShape groundRoom = default, bodyRoom = default;
-                ManifoldPoint tip = CoveredSides.Tip(
-                    GroundPart(ref groundRoom), _objects.Poses[Ground], BodyPart(ref bodyRoom), _objects.Poses[Body],
-                    Outward);
-                return !FaceSearch.IsAsDeep(_contact.Manifold, tip.Gap);
-            }
-        }
-
-        private Double3 Witness => CoveredSides.InWorld(
-            _isBodyA ? _contact.Result.LocalPointB : _contact.Result.LocalPointA, _objects.Poses[Ground]);
-
-        /// <summary>The contact along the way that all of the static objects show together.</summary>
-        public bool TryStraighten(List<int> others, float maxGap, out PairContacts straight)
-        {
-            ConvexShape groundRoom = default, bodyRoom = default;
-            ref readonly ConvexShape ground = ref GroundPart(ref groundRoom);
-            ref readonly ConvexShape body = ref BodyPart(ref bodyRoom);
-            RigidPose pose = _objects.Poses[Ground], bodyPose = _objects.Poses[Body];
-            Double3 way = CoveredSides.WayFrom(Witness, Outward, new GroundCover(_objects, others));
-            straight = _contact;
-            return _objects.Parts.Shows(Body, _isBodyA ? _contact.PartA : _contact.PartB, -way) && (_isBodyA
-                ? CoveredSides.TryAlong(ref straight, false, body, bodyPose, ground, pose, maxGap, way)
-                : CoveredSides.TryAlong(ref straight, true, ground, pose, body, bodyPose, maxGap, way));
-        }
-
-        /// <summary>Whether another contact's push takes the body out of this part.</summary>
-        public bool IsHeldBy(in BodyContact other)
-        {
-            Vector3 push = other.Outward * ContactPush.LengthOf(other._contact.Result);
-            ConvexShape ground = default, body = default;
-            return ContactPush.TakesApart(
-                GroundPart(ref ground), _objects.Poses[Ground], BodyPart(ref body), _objects.Poses[Body],
-                _contact.Result.Distance, Outward, push);
-        }
-
-        private ref readonly ConvexShape GroundPart(ref ConvexShape room) =>
-            ref _objects.Parts.Part(Ground, _isBodyA ? _contact.PartB : _contact.PartA, ref room);
-
-        private ref readonly ConvexShape BodyPart(ref ConvexShape room) =>
-            ref _objects.Parts.Part(Body, _isBodyA ? _contact.PartA : _contact.PartB, ref room);
     }
 }

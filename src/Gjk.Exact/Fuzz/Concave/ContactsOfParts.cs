@@ -34,11 +34,7 @@ internal static class ContactsOfParts
         ConcaveQuery.FindContacts(pair.A, pair.PoseA, pair.B, pair.PoseB, gap, pair.Scratch, found);
         foreach (PairContacts one in found)
             if (Fault(pair, found, one, gap) is { } fault) return Say.Line($"{one}: {fault}");
-        if (pair.HasSolid || (pair.RawA.Triangles is null && !pair.RawA.IsConvex)
-            || (pair.RawB.Triangles is null && !pair.RawB.IsConvex))
-        {
-            return null;
-        }
+        if (pair.HasSolid || IsCompound(pair.RawA) || IsCompound(pair.RawB)) return null;
 
         var named = found.Select(one => pair.IndexOf(one.PartA, one.PartB)).ToHashSet();
         for (int i = 0; i < pair.PairCount; i++)
@@ -56,6 +52,8 @@ internal static class ContactsOfParts
         return null;
     }
 
+    private static bool IsCompound(RawShape shape) => shape.Triangles is null && !shape.IsConvex;
+
     /// <summary>What is wrong about a contact, or null.</summary>
     private static string? Fault(ConcavePair pair, List<PairContacts> found, in PairContacts one, float gap)
     {
@@ -70,7 +68,10 @@ internal static class ContactsOfParts
         bool isThere = found.Exists(other => pair.IndexOf(other.PartA, other.PartB) == i && IsOwn(other));
         double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
         double size = pair.ScaleOf(a, b) + place;
-        bool isElsewhere = Vector3.Cross(normal, manifold.Normal).Length() <= Straight
+
+        // A point of a compound's part over which another part goes on is left to that one.
+        bool mayLack = IsCompound(pair.RawA) || IsCompound(pair.RawB);
+        bool isElsewhere = !mayLack && Vector3.Cross(normal, manifold.Normal).Length() <= Straight
             && Math.Abs(one.Result.Distance - part.Distance) > Beside * size;
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
             && (isElsewhere || !IsHeld(pair, i, found, part.Distance, manifold)))
