@@ -15,11 +15,11 @@ public static partial class ConcaveQuery
     /// <c>ConvexQuery.Contacts</c> says of two parts no further apart, if both bodies end there; of a compound's part
     /// the points where the compound ends. Where a surface, solid or compound goes on, as at flat and concave edges,
     /// under doubled triangles and between flush parts, the contact is along a face that is there instead, with all
-    /// points that are over it, if no other contact pushes the two parts apart. A pair of parts has one contact. At a convex edge each triangle has the contact; an edge of three triangles or more counts as all of
-    /// them show it. An open surface has two sides; a solid pushes outward only. Of parts that overlap each pair has a
-    /// contact, or the push of another one takes it apart, but for a few of a solid that is in the other shape at
-    /// several places. A manifold's first point is its deepest. On a half-space each part in reach has its
-    /// contact.</param>
+    /// points that are over it, if no other contact pushes the two parts apart. A pair of parts has one contact. At a
+    /// convex edge each triangle has the contact; an edge of three triangles or more counts as all of them show it. An
+    /// open surface has two sides; a solid pushes outward only. Of parts that overlap each pair has a contact, or the
+    /// push of another one takes it apart, but for a few of a solid that is in the other shape at several places. A
+    /// manifold's first point is its deepest. On a half-space each part in reach has its contact.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool FindContacts(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,

@@ -90,7 +90,6 @@ internal sealed class SceneSeams(SceneObjects objects)
             else one.AddPlane(_planes);
         }
 
-
         bool isAny = false;
         BeginNear();
         for (int i = begin; i < end; i++)
