@@ -98,24 +98,13 @@ public sealed partial class CollisionScene
     private void CollectTouching(float maxGap, Workers? workers)
     {
         CollectSlots(maxGap, _candidates, workers);
-        if (maxGap > 0) DecideWithin(maxGap, workers);
-        else DecideOverlaps(workers, asksParts: false);
+        PairAnswers<GjkStatus> near = maxGap > 0 ? _within : _overlaps;
+        DecideNear(near, maxGap, workers, asksParts: false);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
         {
-            bool isNear = maxGap > 0
-                ? _within[i] != GjkStatus.BeyondMaxDistance
-                : _overlaps[i] == GjkStatus.Overlapping;
+            bool isNear = maxGap > 0 ? near[i] != GjkStatus.BeyondMaxDistance : near[i] == GjkStatus.Overlapping;
             if (isNear || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);
         }
-    }
-
-    private void DecideWithin(float maxGap, Workers? workers)
-    {
-        _within.Begin(_candidates, _objects.Ids, ref _calls, _objects.MostRest(_within.Call));
-        Workers.Run(
-            workers, new SceneWithinJob(_objects, _candidates, _within, maxGap), _candidates.Count,
-            _objects.Parts.PartLength, CancellationToken.None);
-        _within.Complete();
     }
 }

@@ -93,8 +93,8 @@ public class FolderTests(ITestOutputHelper output)
         ["Solvers/Trace"] = 126,
         ["Sorting"] = 90,
         ["Threading"] = 211,
-        ["Wide"] = 935,
-        ["World"] = 1398,
+        ["Wide"] = 932,
+        ["World"] = 1387,
     };
 
     [Fact]
