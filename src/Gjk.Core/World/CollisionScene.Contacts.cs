@@ -69,11 +69,7 @@ public sealed partial class CollisionScene
     {
         CollectTouching(0, workers);
         _depths.HasParts = _objects.Parts.Any;
-        _depths.Begin(_touching, _objects.Ids, ref _calls);
-        Workers.Run(
-            workers, new SceneDepthJob(_objects, _touching, _depths), _touching.Count, _objects.Parts.PartLength,
-            CancellationToken.None);
-        _depths.Complete();
+        AnswerPairs(_depths, _touching, new SceneDepthJob(_objects, _touching, _depths), workers);
     }
 
     private void MakeContacts(float maxGap, Workers? workers)
@@ -87,11 +83,7 @@ public sealed partial class CollisionScene
         _contactGap = maxGap;
         CollectTouching(maxGap, workers);
         _contacts.HasParts = _objects.Parts.Any;
-        _contacts.Begin(_touching, _objects.Ids, ref _calls);
-        Workers.Run(
-            workers, new SceneContactJob(_objects, _touching, _contacts, maxGap), _touching.Count,
-            _objects.Parts.PartLength, CancellationToken.None);
-        _contacts.Complete();
+        AnswerPairs(_contacts, _touching, new SceneContactJob(_objects, _touching, _contacts, maxGap), workers);
     }
 
     /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>

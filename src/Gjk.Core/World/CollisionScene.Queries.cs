@@ -129,11 +129,19 @@ public sealed partial class CollisionScene
     private void DecideNear(
         PairAnswers<GjkStatus> answers, float maxGap, Workers? workers, bool asksParts = true, bool isKept = true)
     {
-        answers.Begin(_candidates, _objects.Ids, ref _calls, isKept && _objects.MostRest(answers.Call));
-        Workers.Run(
-            workers, new SceneNearJob(_objects, _candidates, answers, maxGap, asksParts), _candidates.Count,
-            _objects.Parts.PartLength, CancellationToken.None);
-        answers.Complete();
+        AnswerPairs(
+            answers, _candidates, new SceneNearJob(_objects, _candidates, answers, maxGap, asksParts), workers,
+            isKept && _objects.MostRest(answers.Call));
+    }
+
+    /// <summary>Runs a job that answers the pairs of a frame.</summary>
+    private void AnswerPairs<TJob>(
+        PairFrames frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
+        where TJob : struct, IPartJob
+    {
+        frame.Begin(pairs, _objects.Ids, ref _calls, isKept);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.PartLength, CancellationToken.None);
+        frame.Complete();
     }
 
     private void CopyOverlaps(List<ObjectPair> results, Workers? workers)
@@ -146,11 +154,8 @@ public sealed partial class CollisionScene
     private void FindDistances(float distance, Workers? workers)
     {
         CollectSlots(distance, _candidates, workers);
-        _pairWarmStarts.Begin(_candidates, _objects.Ids, ref _calls);
-        Workers.Run(
-            workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance),
-            _candidates.Count, _objects.Parts.PartLength, CancellationToken.None);
-        _pairWarmStarts.Complete();
+        var job = new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance);
+        AnswerPairs(_pairWarmStarts, _candidates, job, workers);
     }
 
     /// <summary>Selects the pairs that overlap.</summary>

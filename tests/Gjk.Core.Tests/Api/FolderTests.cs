@@ -74,10 +74,10 @@ public class FolderTests(ITestOutputHelper output)
         ["Batch"] = 165,
         ["BroadPhase"] = 1017,
         ["Concave"] = 3169,
-        ["Concave/Trees"] = 745,
+        ["Concave/Trees"] = 736,
         ["Contacts"] = 1012,
         ["Cores"] = 571,
-        ["Diagnostics"] = 689,
+        ["Diagnostics"] = 681,
         ["Geometry"] = 688,
         ["Hulls"] = 225,
         ["Hulls/Building"] = 831,
@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 90,
         ["Threading"] = 211,
         ["Wide"] = 932,
-        ["World"] = 1387,
+        ["World"] = 1380,
     };
 
     [Fact]
