@@ -84,17 +84,11 @@ public readonly struct TracedSimplex
 
     /// <summary>A vertex of the Minkowski difference, in A's axes.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Double3 Vertex(int index) =>
-        index >= 0 && index < Count
-            ? Vector(index)
-            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+    public Double3 Vertex(int index) => Vector(Guard.Index(index, Count, nameof(index), "vertex"));
 
     /// <summary>The vertex's barycentric weight in <see cref="Nearest"/>: at least 0, with sum 1.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public double Weight(int index) =>
-        index >= 0 && index < Count
-            ? _weights[index]
-            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+    public double Weight(int index) => _weights[Guard.Index(index, Count, nameof(index), "vertex")];
 
     private Double3 Vector(int index) => index < Count ? _axes.Vector(_simplex.W(_simplex[index])) : default;
 }
