@@ -72,7 +72,7 @@ public class FolderTests(ITestOutputHelper output)
     {
         ["Arithmetic"] = 119,
         ["Batch"] = 165,
-        ["BroadPhase"] = 1017,
+        ["BroadPhase"] = 1015,
         ["Concave"] = 3158,
         ["Concave/Trees"] = 736,
         ["Contacts"] = 1012,
@@ -90,11 +90,11 @@ public class FolderTests(ITestOutputHelper output)
         ["Solvers"] = 615,
         ["Solvers/Depth"] = 1261,
         ["Solvers/Motion"] = 915,
-        ["Solvers/Trace"] = 117,
+        ["Solvers/Trace"] = 110,
         ["Sorting"] = 90,
         ["Threading"] = 211,
-        ["Wide"] = 932,
-        ["World"] = 1380,
+        ["Wide"] = 926,
+        ["World"] = 1378,
     };
 
     [Fact]

@@ -3,18 +3,8 @@ namespace Gjk.Core.Diagnostics;
 /// <summary>One support call on each of the two shapes, in A's own frame. Immutable.</summary>
 public readonly struct TracedSupport
 {
-    internal TracedSupport(in PairFrame frame, in Double3 normal, in Simplex simplex, int slot, bool isExtended)
-    {
-        var axes = new TraceAxes(frame);
-        Normal = axes.Direction(normal);
-        PointOnA = axes.Vector(simplex.OnA(slot) + frame.CenterA);
-        Vertex = axes.Vector(simplex.W(slot));
-        IdA = simplex.IdA(slot);
-        IdB = simplex.IdB(slot);
-        IsExtended = isExtended;
-    }
-
-    internal TracedSupport(in PairFrame frame, in Double3 normal, in DifferenceVertex vertex)
+    internal TracedSupport(
+        in PairFrame frame, in Double3 normal, in DifferenceVertex vertex, bool isExtended = false)
     {
         var axes = new TraceAxes(frame);
         Normal = axes.Direction(normal);
@@ -22,7 +12,7 @@ public readonly struct TracedSupport
         Vertex = axes.Vector(vertex.W);
         IdA = vertex.IdA;
         IdB = vertex.IdB;
-        IsExtended = false;
+        IsExtended = isExtended;
     }
 
     /// <summary>The nearest feature's normal, of any length: from the origin to the feature. A was asked for its
