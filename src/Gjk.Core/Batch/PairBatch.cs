@@ -150,10 +150,9 @@ public static partial class PairBatch
 #if NET
             if (WideBatch.IsSupported)
             {
-                // The caller's array may have the answers of another call.
-                Array.Clear(results, begin, end - begin);
                 var question = new WideOverlaps(ref results[begin]);
-                new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
+                new WideBatch(shapes, poses, ref pairs[begin], ref Unsafe.NullRef<bool>())
+                    .Ask(end - begin, ref question);
                 return;
             }
 #endif
@@ -176,9 +175,9 @@ public static partial class PairBatch
             {
                 ref WarmStart starts = ref Unsafe.NullRef<WarmStart>();
                 if (warmStarts is not null) starts = ref warmStarts[begin];
-                var question = new WideDistances(
-                    ref results[begin], ref starts, ref Unsafe.NullRef<bool>(), maxDistance);
-                new WideBatch(shapes, poses, ref pairs[begin]).Ask(end - begin, ref question);
+                var question = new WideDistances(ref results[begin], ref starts, maxDistance);
+                new WideBatch(shapes, poses, ref pairs[begin], ref Unsafe.NullRef<bool>())
+                    .Ask(end - begin, ref question);
                 return;
             }
 #endif

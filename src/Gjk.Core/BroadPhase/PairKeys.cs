@@ -46,13 +46,9 @@ internal sealed class PairKeys
         Keys[Count++] = key;
     }
 
-    /// <summary>For more pairs than fit; the caller's list is left empty.</summary>
-    public static InvalidOperationException TooMany(int limit, List<ObjectPair>? pairs = null)
-    {
-        pairs?.Clear();
-        return new(
-            FormattableString.Invariant($"There are more than {limit} pairs, more than a broad phase can hold."));
-    }
+    /// <summary>For more pairs than fit.</summary>
+    private static InvalidOperationException TooMany(int limit) =>
+        new(FormattableString.Invariant($"There are more than {limit} pairs, more than a broad phase can hold."));
 
     /// <summary>Sorts; the objects' numbers are below the given end.</summary>
     public void Sort(int end)

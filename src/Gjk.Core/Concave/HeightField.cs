@@ -52,23 +52,14 @@ public sealed class HeightField
     /// <returns>The cell. Its first triangle has an even number and its second one the next, so that a tag of each
     /// is found by 2 · cell + triangle % 2.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such triangle.</exception>
-    public int CellOf(int triangle)
-    {
-        if ((uint)triangle >= (uint)_mesh.TriangleCount)
-            throw new ArgumentOutOfRangeException(nameof(triangle), triangle, "There is no such triangle.");
-        return Grid.CellOf(triangle);
-    }
+    public int CellOf(int triangle) =>
+        Grid.CellOf(Guard.Index(triangle, _mesh.TriangleCount, nameof(triangle), "triangle"));
 
     /// <summary>The triangles of a cell, on top.</summary>
     /// <param name="cell">From 0 to <see cref="CellCount"/> - 1.</param>
     /// <returns>The first of two, the one at the least column and row; -1 where the cell is a hole.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such cell.</exception>
-    public int TriangleOf(int cell)
-    {
-        if ((uint)cell >= (uint)CellCount)
-            throw new ArgumentOutOfRangeException(nameof(cell), cell, "There is no such cell.");
-        return Grid.TriangleOf(cell);
-    }
+    public int TriangleOf(int cell) => Grid.TriangleOf(Guard.Index(cell, CellCount, nameof(cell), "cell"));
 
     /// <summary>Changes the heights of a rectangle of vertices, in place. The time is in proportion to the rectangle;
     /// the answers are those of a mesh that was built of all heights anew, but that another one of equally near parts
@@ -122,9 +113,7 @@ public sealed class HeightField
 
     private int VertexAt(int column, int row)
     {
-        if ((uint)column >= (uint)Columns)
-            throw new ArgumentOutOfRangeException(nameof(column), column, "There is no such column.");
-        if ((uint)row >= (uint)Rows) throw new ArgumentOutOfRangeException(nameof(row), row, "There is no such row.");
-        return row * Columns + column;
+        Guard.Index(column, Columns, nameof(column), "column");
+        return Guard.Index(row, Rows, nameof(row), "row") * Columns + column;
     }
 }

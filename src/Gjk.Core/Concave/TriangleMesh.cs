@@ -155,12 +155,7 @@ public sealed partial class TriangleMesh
     /// <summary>A vertex in the local frame, before the scale.</summary>
     /// <param name="index">From 0 to <see cref="VertexCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such vertex.</exception>
-    public Vector3 GetVertex(int index)
-    {
-        if ((uint)index >= (uint)VertexCount)
-            throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
-        return _list.Vertex(index);
-    }
+    public Vector3 GetVertex(int index) => _list.Vertex(Guard.Index(index, VertexCount, nameof(index), "vertex"));
 
     /// <summary>The vertices of a triangle.</summary>
     /// <param name="index">From 0 to <see cref="TriangleCount"/> - 1, as given.</param>
@@ -170,8 +165,7 @@ public sealed partial class TriangleMesh
     /// <exception cref="ArgumentOutOfRangeException">There is no such triangle.</exception>
     public void GetTriangle(int index, out int a, out int b, out int c)
     {
-        if ((uint)index >= (uint)TriangleCount)
-            throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
+        Guard.Index(index, TriangleCount, nameof(index), "triangle");
         _list.Corners(3 * index, out a, out b, out c);
     }
 

@@ -24,12 +24,7 @@ public static partial class AnswerCheck
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
         double tolerance = double.NaN)
         where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        TA shapeA = a;
-        TB shapeB = b;
-        return Check(ref shapeA, poseA, ref shapeB, poseB, answer, tolerance, false);
-    }
+        where TB : struct, ISupportMap => Check(a, poseA, b, poseB, answer, tolerance, false);
 
     /// <summary>Checks an answer of <c>ConvexQuery.SignedDistance</c>. Of a depth, two witnesses prove that B leaves A
     /// after so much along the normal, and so that the depth is no larger; see
@@ -48,16 +43,10 @@ public static partial class AnswerCheck
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, in DistanceResult answer,
         double tolerance = double.NaN)
         where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        TA shapeA = a;
-        TB shapeB = b;
-        return Check(ref shapeA, poseA, ref shapeB, poseB, answer, tolerance, true);
-    }
+        where TB : struct, ISupportMap => Check(a, poseA, b, poseB, answer, tolerance, true);
 
     private static CheckedAnswer Check<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, in DistanceResult answer, double tolerance,
-        bool isSigned)
+        TA a, in RigidPose poseA, TB b, in RigidPose poseB, in DistanceResult answer, double tolerance, bool isSigned)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {

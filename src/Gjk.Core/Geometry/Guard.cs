@@ -37,6 +37,18 @@ internal static class Guard
             : throw new ArgumentOutOfRangeException(
                 name, pose, "A default RigidPose has no rotation; use RigidPose.Identity.");
 
+    /// <summary>An index from 0 to the count - 1.</summary>
+    /// <param name="index">The caller's index.</param>
+    /// <param name="count">How many there are.</param>
+    /// <param name="name">The caller's parameter.</param>
+    /// <param name="what">What is counted, for the message.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Index(int index, int count, string name, string what) =>
+        (uint)index < (uint)count ? index : throw NoSuch(index, name, what);
+
+    private static ArgumentOutOfRangeException NoSuch(int index, string name, string what) =>
+        new(name, index, $"There is no such {what}.");
+
     public static T NotNull<T>(T? value, string name) where T : class =>
         value ?? throw new ArgumentNullException(name);
 }

@@ -140,20 +140,12 @@ public sealed class ConvexHull
     /// <summary>The coordinates of a corner, as given (-0 as 0).</summary>
     /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
-    public Vector3 GetVertex(int id)
-    {
-        CheckVertex(id);
-        return Vertices.GetVertex(id);
-    }
+    public Vector3 GetVertex(int id) => Vertices.GetVertex(Guard.Index(id, VertexCount, nameof(id), "vertex"));
 
     /// <summary>Where the corner first occurs in the cloud.</summary>
     /// <param name="id">From 0 to <see cref="VertexCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
-    public int SourceIndex(int id)
-    {
-        CheckVertex(id);
-        return _sources[id];
-    }
+    public int SourceIndex(int id) => _sources[Guard.Index(id, VertexCount, nameof(id), "vertex")];
 
     /// <summary>The corners of a triangle of the surface, counter-clockwise seen from outside. Facets with more than
     /// three corners are cut into several triangles.</summary>
@@ -164,8 +156,7 @@ public sealed class ConvexHull
     /// <exception cref="ArgumentOutOfRangeException">There is no such triangle.</exception>
     public void GetTriangle(int index, out int a, out int b, out int c)
     {
-        if (index < 0 || index >= TriangleCount)
-            throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such triangle.");
+        Guard.Index(index, TriangleCount, nameof(index), "triangle");
         a = Triangles[3 * index];
         b = Triangles[3 * index + 1];
         c = Triangles[3 * index + 2];
@@ -177,7 +168,7 @@ public sealed class ConvexHull
     /// <exception cref="ArgumentOutOfRangeException">There is no such corner.</exception>
     public int NeighborCount(int id)
     {
-        CheckVertex(id);
+        Guard.Index(id, VertexCount, nameof(id), "vertex");
         return NeighborStart[id + 1] - NeighborStart[id];
     }
 
@@ -187,8 +178,7 @@ public sealed class ConvexHull
     /// <exception cref="ArgumentOutOfRangeException">There is no such corner or neighbour.</exception>
     public int GetNeighbor(int id, int k)
     {
-        if (k < 0 || k >= NeighborCount(id))
-            throw new ArgumentOutOfRangeException(nameof(k), k, "There is no such neighbour.");
+        Guard.Index(k, NeighborCount(id), nameof(k), "neighbour");
         return Neighbors[NeighborStart[id] + k];
     }
 
@@ -225,12 +215,6 @@ public sealed class ConvexHull
         }
 
         return null;
-    }
-
-    private void CheckVertex(int id)
-    {
-        if (id < 0 || id >= VertexCount)
-            throw new ArgumentOutOfRangeException(nameof(id), id, "There is no such vertex.");
     }
 
     private static Aabb MeasureBounds(Vector3[] corners)

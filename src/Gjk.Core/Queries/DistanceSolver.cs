@@ -79,7 +79,7 @@ internal unsafe struct DistanceSolver<TTrace>(
     {
         GjkDistance.SolvePoints(frame, ref state);
         if (!Trace.IsOn) return;
-        Trace.OnSupport(new TracedSupport(frame, frame.FirstNormal, state.Simplex, state.Simplex.A, isExtended: false));
+        Trace.OnSupport(new TracedSupport(frame, frame.FirstNormal, state.Simplex.At(state.Simplex.A)));
         Trace.OnReduced(new TracedSimplex(state.Simplex, frame, isExtended: false));
     }
 }

@@ -58,8 +58,5 @@ public readonly struct FinalSimplex
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
     public int IdB(int index) => _simplex.IdB(_simplex[Checked(index)]);
 
-    private int Checked(int index) =>
-        index >= 0 && index < Count
-            ? index
-            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such pair of points.");
+    private int Checked(int index) => Guard.Index(index, Count, nameof(index), "pair of points");
 }

@@ -84,7 +84,7 @@ internal static class GjkDistance
                 (touchSquared, noise) = (state.TouchSquared, state.Noise);
             }
 
-            if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, feature.Normal, state.Simplex, slot, false));
+            if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, feature.Normal, state.Simplex.At(slot)));
             double plane = Double3.Dot(feature.Normal, w);
             separated |= plane > 0 && plane * plane > touchSquared * feature.NormalSquared;
             Ending ending = Judge(state, vertices, feature, plane, reachSquared, noise, frame.Margins);

@@ -146,7 +146,7 @@ internal static class SideNormal<TA, TB>
     {
         MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends.At(slot), out Double3 w);
         state.Iterations++;
-        if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, ends, slot, false));
+        if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, ends.At(slot)));
         return w;
     }
 }

@@ -7,9 +7,6 @@ internal unsafe interface IWideQuestion
     /// <summary>How far apart shapes may be before the walk may end early.</summary>
     double Reach { get; }
 
-    /// <summary>Whether a pair has its answer, and is not to be asked.</summary>
-    bool IsAnswered(int pair);
-
     /// <summary>Answers a pair that needs no walk, or says how it is to be asked.</summary>
     WideRoute Route(in WideBatch batch, int pair);
 
@@ -51,33 +48,17 @@ internal enum WideRoute
 /// <summary>How far apart each pair is, from where it ended the last time.</summary>
 /// <param name="results">Where the answers go, one for each pair.</param>
 /// <param name="starts">The warm starts, one for each pair; a null reference where all begin cold.</param>
-/// <param name="answered">Whether each pair has its answer; a null reference where none has.</param>
 /// <param name="maxDistance">As in <see cref="ConvexQuery"/>.</param>
 internal readonly unsafe ref struct WideDistances(
-    ref DistanceResult results, ref WarmStart starts, ref bool answered, float maxDistance) : IWideQuestion
+    ref DistanceResult results, ref WarmStart starts, float maxDistance) : IWideQuestion
 {
     private readonly ref DistanceResult _results = ref results;
     private readonly ref WarmStart _starts = ref starts;
-    private readonly ref bool _answered = ref answered;
     private readonly float _maxDistance = maxDistance;
-
-    /// <summary>Begins cold.</summary>
-    public WideDistances(ref DistanceResult results, ref bool answered, float maxDistance)
-        : this(ref results, ref Unsafe.NullRef<WarmStart>(), ref answered, maxDistance)
-    {
-    }
-
-    /// <summary>Begins cold, and asks about all pairs.</summary>
-    public WideDistances(ref DistanceResult results, float maxDistance)
-        : this(ref results, ref Unsafe.NullRef<bool>(), maxDistance)
-    {
-    }
 
     public double Reach => ProvedDistance.ShapeReach(_maxDistance);
 
     private bool IsCold => Unsafe.IsNullRef(ref _starts);
-
-    public bool IsAnswered(int pair) => !Unsafe.IsNullRef(ref _answered) && Unsafe.Add(ref _answered, pair);
 
     /// <summary>What no query has stored is for the query alone.</summary>
     public WideRoute Route(in WideBatch batch, int pair)
@@ -122,29 +103,23 @@ internal readonly unsafe ref struct WideDistances(
 }
 
 /// <summary>Whether each pair overlaps.</summary>
-/// <param name="results">Where the answers go, one for each pair; what is not <see cref="GjkStatus.None"/> is one
-/// already.</param>
+/// <param name="results">Where the answers go, one for each pair.</param>
 internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQuestion
 {
     private readonly ref GjkStatus _results = ref results;
 
     public double Reach => ProvedDistance.ShapeReach(0);
 
-    public bool IsAnswered(int pair) => Unsafe.Add(ref _results, pair) != GjkStatus.None;
-
-    /// <summary>Balls that are apart need no walk (<c>OverlapSolver.AreBallsApart</c>). Boxes and shapes with margins
-    /// gain from lanes; all others are as fast alone.</summary>
+    /// <summary>Boxes and shapes with margins gain from lanes; all others are as fast alone. Balls that are apart need
+    /// no walk (<c>OverlapSolver.AreBallsApart</c>).</summary>
     public WideRoute Route(in WideBatch batch, int pair)
     {
         ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
-        if (OverlapSolver.AreBallsApart(ref a, batch.PoseA(pair), ref b, batch.PoseB(pair)))
-        {
-            Unsafe.Add(ref _results, pair) = GjkStatus.Separated;
-            return WideRoute.Answered;
-        }
-
         bool isWide = a.Margin + b.Margin > 0 || ((a.Core | b.Core) & ~FormKind.Moved) == FormKind.Box;
-        return isWide ? WideRoute.Cold : WideRoute.Alone;
+        if (!isWide) return WideRoute.Alone;
+        if (!OverlapSolver.AreBallsApart(ref a, batch.PoseA(pair), ref b, batch.PoseB(pair))) return WideRoute.Cold;
+        Unsafe.Add(ref _results, pair) = GjkStatus.Separated;
+        return WideRoute.Answered;
     }
 
     public uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)

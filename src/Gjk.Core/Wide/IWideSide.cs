@@ -96,7 +96,7 @@ internal unsafe struct WideBoxes : IWideSide
 /// <summary>Segments, capsules, points and spheres. A slot is an end's id.</summary>
 internal struct WideSegments : IWideSide
 {
-    private FourSegments _cores;
+    private Four<SegmentCore> _cores;
     private WideVector _first, _second, _toFirst;
 
     public void Load(int lane, in ConvexShape shape)
@@ -139,18 +139,12 @@ internal struct WideSegments : IWideSide
         found &= Vector256.LessThan(ids, counts).AsDouble();
         return ids & Vector256<long>.One;
     }
-
-    [InlineArray(4)]
-    private struct FourSegments
-    {
-        private SegmentCore _first;
-    }
 }
 
 /// <summary>Triangles. A slot is a corner's id.</summary>
 internal struct WideTriangles : IWideSide
 {
-    private FourTriangles _cores;
+    private Four<TriangleCore> _cores;
     private WideVector _first, _second, _third, _toSecond, _toThird;
 
     public void Load(int lane, in ConvexShape shape)
@@ -194,18 +188,12 @@ internal struct WideTriangles : IWideSide
         found &= isThere.AsDouble();
         return ids & isThere;
     }
-
-    [InlineArray(4)]
-    private struct FourTriangles
-    {
-        private TriangleCore _first;
-    }
 }
 
 /// <summary>Meshes. A slot is a vertex's id. Each lane looks its vertex up by itself.</summary>
 internal struct WideHulls : IWideSide
 {
-    private FourHulls _hulls;
+    private Four<ConvexHull> _hulls;
     private Vector256<long> _last;
     private Lanes _point0, _point1, _point2, _point3;
 
@@ -247,11 +235,12 @@ internal struct WideHulls : IWideSide
         found &= isThere.AsDouble();
         return ids & isThere;
     }
+}
 
-    [InlineArray(4)]
-    private struct FourHulls
-    {
-        private ConvexHull _first;
-    }
+/// <summary>What each of four lanes has.</summary>
+[InlineArray(4)]
+internal struct Four<T>
+{
+    private T _first;
 }
 #endif

@@ -2,7 +2,12 @@
 namespace Gjk.Core;
 
 /// <summary>A part of a batch: its pairs by kind, four at a time where that is faster, else one by one.</summary>
-internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs)
+/// <param name="shapes">The shapes.</param>
+/// <param name="poses">One for each shape.</param>
+/// <param name="pairs">The part's pairs.</param>
+/// <param name="answered">Whether each pair has its answer already; a null reference where none has.</param>
+internal readonly unsafe ref struct WideBatch(
+    ConvexShape[] shapes, RigidPose[] poses, ref ObjectPair pairs, ref bool answered)
 {
     /// <summary>Count of pairs in a part at most.</summary>
     public const int MostPairs = 256;
@@ -20,6 +25,7 @@ internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] 
     private readonly ref ConvexShape _shapes = ref MemoryMarshal.GetArrayDataReference(shapes);
     private readonly ref RigidPose _poses = ref MemoryMarshal.GetArrayDataReference(poses);
     private readonly ref ObjectPair _pairs = ref pairs;
+    private readonly ref bool _answered = ref answered;
 
     /// <summary>Whether four pairs can be solved at once on this machine.</summary>
     public static bool IsSupported
@@ -81,36 +87,35 @@ internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] 
         {
             int length = starts[kind + 1] - starts[kind];
             int* index = byKind + starts[kind];
-            if (length == 0 || AskKind(kind, index, length, ref question)) continue;
-            for (int i = 0; i < length; i++) question.Alone(this, index[i]);
+            if (length > 0) AskKind(kind, index, length, ref question);
         }
     }
 
-    /// <summary>Asks about pairs of one kind; false where the kind has no lanes.</summary>
-    private bool AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
-        where TQuestion : struct, IWideQuestion, allows ref struct => (FormKind)(kind % CoreKinds / OneKinds) switch
-        {
-            FormKind.Box => AskKind<WideBoxes, TQuestion>(kind, index, count, ref question),
-            FormKind.Hull => AskKind<WideHulls, TQuestion>(kind, index, count, ref question),
-            FormKind.Segment => AskKind<WideSegments, TQuestion>(kind, index, count, ref question),
-            FormKind.Triangle => AskKind<WideTriangles, TQuestion>(kind, index, count, ref question),
-            _ => false,
-        };
+    /// <summary>Asks about pairs of one kind.</summary>
+    private void AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
+        where TQuestion : struct, IWideQuestion, allows ref struct
+    {
+        var kindA = (FormKind)(kind % CoreKinds / OneKinds);
+        if (kindA == FormKind.Box) AskKind<WideBoxes, TQuestion>(kind, index, count, ref question);
+        else if (kindA == FormKind.Hull) AskKind<WideHulls, TQuestion>(kind, index, count, ref question);
+        else if (kindA == FormKind.Segment) AskKind<WideSegments, TQuestion>(kind, index, count, ref question);
+        else AskKind<WideTriangles, TQuestion>(kind, index, count, ref question);
+    }
 
     /// <summary>The same where the kind of the first shapes is known.</summary>
-    private bool AskKind<TA, TQuestion>(int kind, int* index, int count, ref TQuestion question)
+    private void AskKind<TA, TQuestion>(int kind, int* index, int count, ref TQuestion question)
         where TA : struct, IWideSide
-        where TQuestion : struct, IWideQuestion, allows ref struct => (FormKind)(kind % OneKinds) switch
-        {
-            FormKind.Box => Ask<TA, WideBoxes, TQuestion>(index, count, ref question),
-            FormKind.Hull => Ask<TA, WideHulls, TQuestion>(index, count, ref question),
-            FormKind.Segment => Ask<TA, WideSegments, TQuestion>(index, count, ref question),
-            FormKind.Triangle => Ask<TA, WideTriangles, TQuestion>(index, count, ref question),
-            _ => false,
-        };
+        where TQuestion : struct, IWideQuestion, allows ref struct
+    {
+        var kindB = (FormKind)(kind % OneKinds);
+        if (kindB == FormKind.Box) Ask<TA, WideBoxes, TQuestion>(index, count, ref question);
+        else if (kindB == FormKind.Hull) Ask<TA, WideHulls, TQuestion>(index, count, ref question);
+        else if (kindB == FormKind.Segment) Ask<TA, WideSegments, TQuestion>(index, count, ref question);
+        else Ask<TA, WideTriangles, TQuestion>(index, count, ref question);
+    }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private bool Ask<TA, TB, TQuestion>(int* index, int count, ref TQuestion question)
+    private void Ask<TA, TB, TQuestion>(int* index, int count, ref TQuestion question)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
         where TQuestion : struct, IWideQuestion, allows ref struct
@@ -139,11 +144,10 @@ internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] 
             for (int i = 0; i < lanes; i++)
                 if ((done >> i & 1) == 0) question.Alone(this, four[i]);
         }
-
-        return true;
     }
 
-    /// <summary>Puts the indices of the pairs in the order of their kinds.</summary>
+    /// <summary>Answers the pairs that are not for lanes, and puts the indices of the others in the order of their
+    /// kinds.</summary>
     private void Sort<TQuestion>(int count, int* byKind, int* starts, ref TQuestion question)
         where TQuestion : struct, IWideQuestion, allows ref struct
     {
@@ -152,8 +156,8 @@ internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] 
         for (int i = 0; i < count; i++)
         {
             int ahead = i + Prefetch.PairsAhead;
-            if (ahead < count && !question.IsAnswered(ahead)) Prefetch.Objects(ref ShapeB(ahead), ref PoseB(ahead));
-            int kind = question.IsAnswered(i) ? Answered : KindOf(i, question.Route(this, i));
+            if (ahead < count && !IsAnswered(ahead)) Prefetch.Objects(ref ShapeB(ahead), ref PoseB(ahead));
+            int kind = IsAnswered(i) ? Answered : KindOf(i, ref question);
             kinds[i] = (byte)kind;
             if (kind != Answered) starts[kind + 1]++;
         }
@@ -165,15 +169,21 @@ internal readonly unsafe ref struct WideBatch(ConvexShape[] shapes, RigidPose[] 
             if (kinds[i] != Answered) byKind[next[kinds[i]]++] = i;
     }
 
-    /// <summary>Kind 0, of shapes that have no lanes, is asked one by one.</summary>
+    private bool IsAnswered(int pair) => !Unsafe.IsNullRef(ref _answered) && Unsafe.Add(ref _answered, pair);
+
+    /// <summary>The kind of a pair; one that is not for lanes is answered.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int KindOf(int pair, WideRoute route)
+    private int KindOf<TQuestion>(int pair, ref TQuestion question)
+        where TQuestion : struct, IWideQuestion, allows ref struct
     {
+        WideRoute route = question.Route(this, pair);
         if (route == WideRoute.Answered) return Answered;
         ref ConvexShape a = ref ShapeA(pair), b = ref ShapeB(pair);
-        if (route == WideRoute.Alone || Balls.Are(ref a, ref b)) return 0;
         FormKind kindA = a.Core & ~FormKind.Moved, kindB = b.Core & ~FormKind.Moved;
-        return OneKinds * (int)kindA + (int)kindB + CoreKinds * (route - WideRoute.Cold);
+        if (route != WideRoute.Alone && kindA != 0 && kindB != 0 && !Balls.Are(ref a, ref b))
+            return OneKinds * (int)kindA + (int)kindB + CoreKinds * (route - WideRoute.Cold);
+        question.Alone(this, pair);
+        return Answered;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

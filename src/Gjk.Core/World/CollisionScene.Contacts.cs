@@ -69,11 +69,7 @@ public sealed partial class CollisionScene
     {
         CollectTouching(0, workers);
         _depths.HasParts = _objects.Parts.Any;
-        _depths.Begin(_touching, _objects.Ids, ref _calls);
-        Workers.Run(
-            workers, new SceneDepthJob(_objects, _touching, _depths), _touching.Count, _objects.Parts.PartLength,
-            CancellationToken.None);
-        _depths.Complete();
+        AnswerPairs(_depths, _touching, new SceneDepthJob(_objects, _touching, _depths), workers);
     }
 
     private void MakeContacts(float maxGap, Workers? workers)
@@ -87,35 +83,20 @@ public sealed partial class CollisionScene
         _contactGap = maxGap;
         CollectTouching(maxGap, workers);
         _contacts.HasParts = _objects.Parts.Any;
-        _contacts.Begin(_touching, _objects.Ids, ref _calls);
-        Workers.Run(
-            workers, new SceneContactJob(_objects, _touching, _contacts, maxGap), _touching.Count,
-            _objects.Parts.PartLength, CancellationToken.None);
-        _contacts.Complete();
+        AnswerPairs(_contacts, _touching, new SceneContactJob(_objects, _touching, _contacts, maxGap), workers);
     }
 
     /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>
     private void CollectTouching(float maxGap, Workers? workers)
     {
         CollectSlots(maxGap, _candidates, workers);
-        if (maxGap > 0) DecideWithin(maxGap, workers);
-        else DecideOverlaps(workers, asksParts: false);
+        PairAnswers<GjkStatus> near = maxGap > 0 ? _within : _overlaps;
+        DecideNear(near, maxGap, workers, asksParts: false);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
         {
-            bool isNear = maxGap > 0
-                ? _within[i] != GjkStatus.BeyondMaxDistance
-                : _overlaps[i] == GjkStatus.Overlapping;
+            bool isNear = maxGap > 0 ? near[i] != GjkStatus.BeyondMaxDistance : near[i] == GjkStatus.Overlapping;
             if (isNear || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);
         }
-    }
-
-    private void DecideWithin(float maxGap, Workers? workers)
-    {
-        _within.Begin(_candidates, _objects.Ids, ref _calls, _objects.MostRest(_within.Call));
-        Workers.Run(
-            workers, new SceneWithinJob(_objects, _candidates, _within, maxGap), _candidates.Count,
-            _objects.Parts.PartLength, CancellationToken.None);
-        _within.Complete();
     }
 }

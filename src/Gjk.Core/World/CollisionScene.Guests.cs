@@ -23,8 +23,7 @@ public sealed partial class CollisionScene
     {
         CheckDistance(distance, nameof(distance));
         Guard.NotNull(results, nameof(results));
-        Invite(shape, pose, distance, filter, out int guest);
-        ConcaveScratch scratch = _objects.Parts.Rent();
+        ConcaveScratch scratch = Invite(shape, pose, distance, filter, out int guest);
         results.Clear();
         foreach (int slot in _near)
         {
@@ -41,8 +40,7 @@ public sealed partial class CollisionScene
                 results.Add(new PairDistance(found, pair: _objects.IdsOf(new ObjectPair(guest, slot))));
         }
 
-        _objects.Parts.Return(scratch);
-        _objects.Dismiss();
+        Dismiss(scratch);
     }
 
     /// <summary>How deep a shape that is none of the scene's is in the objects that it overlaps, touching included. Of
@@ -59,8 +57,7 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, List<PairDistance> results, in QueryFilter filter = default)
     {
         Guard.NotNull(results, nameof(results));
-        Invite(shape, pose, 0, filter, out int guest);
-        ConcaveScratch scratch = _objects.Parts.Rent();
+        ConcaveScratch scratch = Invite(shape, pose, 0, filter, out int guest);
         results.Clear();
         foreach (int slot in _near)
         {
@@ -76,8 +73,7 @@ public sealed partial class CollisionScene
             }
         }
 
-        _objects.Parts.Return(scratch);
-        _objects.Dismiss();
+        Dismiss(scratch);
     }
 
     /// <summary>The contact points of a shape that is none of the scene's with the objects that it overlaps, or is no
@@ -100,8 +96,7 @@ public sealed partial class CollisionScene
     {
         CheckDistance(maxGap, nameof(maxGap));
         Guard.NotNull(results, nameof(results));
-        Invite(shape, pose, maxGap, filter, out int guest);
-        ConcaveScratch scratch = _objects.Parts.Rent();
+        ConcaveScratch scratch = Invite(shape, pose, maxGap, filter, out int guest);
         results.Clear();
         foreach (int slot in _near)
         {
@@ -117,14 +112,19 @@ public sealed partial class CollisionScene
             if (found.Manifold.Count > 0) results.Add(found);
         }
 
-        _objects.Parts.Return(scratch);
         if (JoinsStatic) _seams.Remove(results, maxGap);
-        _objects.Dismiss();
+        Dismiss(scratch);
     }
 
     /// <summary>Collects the objects that are seen and whose bounds are within a distance of a shape, sorted, and then
     /// puts it beside them.</summary>
-    private void Invite(
+    /// <param name="shape">The shape.</param>
+    /// <param name="pose">Its pose.</param>
+    /// <param name="distance">World units.</param>
+    /// <param name="filter">Which objects are seen.</param>
+    /// <param name="guest">The shape's slot.</param>
+    /// <returns>For the questions about it, until <see cref="Dismiss"/>.</returns>
+    private ConcaveScratch Invite(
         in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter, out int guest)
     {
         CheckShape(shape);
@@ -135,5 +135,13 @@ public sealed partial class CollisionScene
             if (!_objects.AreEndless(shape, _near[i]) && _objects.IsSeen(_near[i], filter)) _near[kept++] = _near[i];
         _near.RemoveRange(kept, _near.Count - kept);
         guest = _objects.Invite(shape, pose);
+        return _objects.Parts.Rent();
+    }
+
+    /// <summary>Lets go of the shape, and of what the questions about it used.</summary>
+    private void Dismiss(ConcaveScratch scratch)
+    {
+        _objects.Parts.Return(scratch);
+        _objects.Dismiss();
     }
 }

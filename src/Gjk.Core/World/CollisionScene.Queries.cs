@@ -58,7 +58,7 @@ public sealed partial class CollisionScene
         }
 
         // The candidates may come in any order, so none is looked up, and none is found again.
-        DecideOverlaps(workers, isKept: false);
+        DecideNear(_overlaps, 0, workers, isKept: false);
         CopyOverlaps(results, workers);
     }
 
@@ -71,7 +71,7 @@ public sealed partial class CollisionScene
     {
         Guard.NotNull(results, nameof(results));
         CollectSlots(0, _candidates, workers);
-        DecideOverlaps(workers);
+        DecideNear(_overlaps, 0, workers);
         CopyOverlaps(results, workers);
     }
 
@@ -125,13 +125,23 @@ public sealed partial class CollisionScene
         return new PairDistance(_pairWarmStarts.Results[i], parts.A, parts.B, ids);
     }
 
-    private void DecideOverlaps(Workers? workers, bool asksParts = true, bool isKept = true)
+    /// <summary>Decides which of the candidates overlap, or are no further apart than a gap.</summary>
+    private void DecideNear(
+        PairAnswers<GjkStatus> answers, float maxGap, Workers? workers, bool asksParts = true, bool isKept = true)
     {
-        _overlaps.Begin(_candidates, _objects.Ids, ref _calls, isKept && _objects.MostRest(_overlaps.Call));
-        Workers.Run(
-            workers, new SceneOverlapJob(_objects, _candidates, _overlaps, asksParts), _candidates.Count,
-            _objects.Parts.PartLength, CancellationToken.None);
-        _overlaps.Complete();
+        AnswerPairs(
+            answers, _candidates, new SceneNearJob(_objects, _candidates, answers, maxGap, asksParts), workers,
+            isKept && _objects.MostRest(answers.Call));
+    }
+
+    /// <summary>Runs a job that answers the pairs of a frame.</summary>
+    private void AnswerPairs<TJob>(
+        PairFrames frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
+        where TJob : struct, IPartJob
+    {
+        frame.Begin(pairs, _objects.Ids, ref _calls, isKept);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.PartLength, CancellationToken.None);
+        frame.Complete();
     }
 
     private void CopyOverlaps(List<ObjectPair> results, Workers? workers)
@@ -144,11 +154,8 @@ public sealed partial class CollisionScene
     private void FindDistances(float distance, Workers? workers)
     {
         CollectSlots(distance, _candidates, workers);
-        _pairWarmStarts.Begin(_candidates, _objects.Ids, ref _calls);
-        Workers.Run(
-            workers, new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance),
-            _candidates.Count, _objects.Parts.PartLength, CancellationToken.None);
-        _pairWarmStarts.Complete();
+        var job = new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance);
+        AnswerPairs(_pairWarmStarts, _candidates, job, workers);
     }
 
     /// <summary>Selects the pairs that overlap.</summary>

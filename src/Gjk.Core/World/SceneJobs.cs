@@ -1,44 +1,75 @@
 namespace Gjk.Core;
 
-/// <summary>Which of a scene's pairs overlap; those that are not convex may be left out. Pairs at rest keep their
-/// answers, which are what they would get.</summary>
-internal readonly struct SceneOverlapJob(
-    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, bool asksParts) : IPartJob
+/// <summary>Which of a scene's pairs overlap, or are no further apart than a gap. Those that are not convex may be left
+/// out; they have no answer then. Pairs at rest keep their answers, which are what they would get.</summary>
+/// <param name="objects">The objects.</param>
+/// <param name="pairs">The pairs, sorted.</param>
+/// <param name="answers">Gets the answers. With a gap, all pairs are near of which it does not say
+/// <see cref="GjkStatus.BeyondMaxDistance"/>.</param>
+/// <param name="maxGap">World units; 0 asks which overlap.</param>
+/// <param name="asksParts">Whether pairs that are not convex are asked.</param>
+internal readonly struct SceneNearJob(
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap, bool asksParts)
+    : IPartJob
 {
-    /// <summary>In place of the answer of a pair that is not convex, until it is asked.</summary>
-    private const GjkStatus NotConvex = GjkStatus.InvalidShape;
-
-    public void Run(int begin, int end)
+    public unsafe void Run(int begin, int end)
     {
+        bool* answered = stackalloc bool[end - begin];
         int last = answers.Seek(begin);
         bool anyAsked = false;
         for (int i = begin; i < end; i++)
         {
-            if (objects.TryKeep(answers, pairs[i], i, ref last) && answers[i] != GjkStatus.None) continue;
-            answers[i] = objects.Parts.Has(pairs[i]) ? NotConvex : GjkStatus.None;
-            anyAsked = true;
+            bool isKept = objects.TryKeep(answers, pairs[i], i, ref last) && answers[i] != GjkStatus.None;
+            bool hasParts = objects.Parts.Has(pairs[i]);
+            anyAsked |= !isKept && (asksParts || !hasParts);
+            answered[i - begin] = isKept || hasParts;
+            if (!isKept) answers[i] = GjkStatus.None;
         }
 
         if (!anyAsked) return;
-        Ask(begin, end);
-        if (objects.Parts.Any) AskParts(begin, end);
+        if (maxGap > 0) AskDistances(begin, end, answered);
+        else AskOverlaps(begin, end, answered);
+        if (asksParts && objects.Parts.Any) AskParts(begin, end);
     }
 
-    private void Ask(int begin, int end)
+    private unsafe void AskDistances(int begin, int end, bool* answered)
     {
-        ConvexShape[] shapes = objects.Shapes;
-        RigidPose[] poses = objects.Poses;
 #if NET
         if (WideBatch.IsSupported)
         {
-            var question = new WideOverlaps(ref answers[begin]);
-            new WideBatch(shapes, poses, ref CollectionsMarshal.AsSpan(pairs)[begin]).Ask(end - begin, ref question);
+            Span<DistanceResult> results = stackalloc DistanceResult[end - begin];
+            var question = new WideDistances(ref results[0], ref Unsafe.NullRef<WarmStart>(), maxGap);
+            Batch(begin, answered).Ask(end - begin, ref question);
+            for (int i = begin; i < end; i++)
+                if (!answered[i - begin]) answers[i] = results[i - begin].Status;
             return;
         }
 #endif
         for (int i = begin; i < end; i++)
         {
-            if (answers[i] != GjkStatus.None) continue;
+            if (answered[i - begin]) continue;
+            ObjectPair pair = pairs[i];
+            answers[i] = ConvexQuery.Distance(
+                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
+                maxGap).Status;
+        }
+    }
+
+    private unsafe void AskOverlaps(int begin, int end, bool* answered)
+    {
+#if NET
+        if (WideBatch.IsSupported)
+        {
+            var question = new WideOverlaps(ref answers[begin]);
+            Batch(begin, answered).Ask(end - begin, ref question);
+            return;
+        }
+#endif
+        ConvexShape[] shapes = objects.Shapes;
+        RigidPose[] poses = objects.Poses;
+        for (int i = begin; i < end; i++)
+        {
+            if (answered[i - begin]) continue;
             ObjectPair pair = pairs[i];
             if (i + Prefetch.PairsAhead < end)
             {
@@ -50,13 +81,18 @@ internal readonly struct SceneOverlapJob(
         }
     }
 
+#if NET
+    private unsafe WideBatch Batch(int begin, bool* answered) =>
+        new(objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin], ref *answered);
+
+#endif
     private void AskParts(int begin, int end)
     {
         ConcaveScratch scratch = objects.Parts.Rent();
         for (int i = begin; i < end; i++)
         {
-            if (answers[i] != NotConvex || !objects.Parts.Has(pairs[i])) continue;
-            answers[i] = asksParts ? objects.Parts.Distance(pairs[i], 0, scratch).Result.Status : GjkStatus.None;
+            if (answers[i] == GjkStatus.None && objects.Parts.Has(pairs[i]))
+                answers[i] = objects.Parts.Distance(pairs[i], maxGap, scratch).Result.Status;
         }
 
         objects.Parts.Return(scratch);
@@ -116,9 +152,9 @@ internal readonly struct SceneDistanceJob(
         if (WideBatch.IsSupported)
         {
             var question = new WideDistances(
-                ref warmStarts.Results[begin], ref warmStarts.Starts[begin], ref warmStarts.Kept[begin],
-                maxDistance);
-            new WideBatch(objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin])
+                ref warmStarts.Results[begin], ref warmStarts.Starts[begin], maxDistance);
+            ref ObjectPair first = ref CollectionsMarshal.AsSpan(pairs)[begin];
+            new WideBatch(objects.Shapes, objects.Poses, ref first, ref warmStarts.Kept[begin])
                 .Ask(end - begin, ref question);
             return;
         }

@@ -16,16 +16,26 @@ internal sealed class BoxFit
     private const double FromFar = 1.0 / (1L << 50);
 
     private readonly IPartSource _source;
+
+    /// <summary>Room for parts that are measured together, with their boxes in the tree's frame.</summary>
     private readonly PartItem[] _items;
     private double _inverse;
     private Double3 _u, _v, _w, _center, _half;
 
+    /// <summary>Fits boxes to all parts, in a frame around them.</summary>
     /// <param name="source">The parts.</param>
-    /// <param name="items">Their boxes, in the shape's frame; they are brought to the tree's.</param>
-    /// <param name="all">The box of all.</param>
-    public BoxFit(IPartSource source, PartItem[] items, in PartBox all)
+    /// <param name="items">Room for as many; gets them.</param>
+    /// <param name="order">The part of each item; null for the parts as they come.</param>
+    public BoxFit(IPartSource source, PartItem[] items, int[]? order = null)
     {
         (_source, _items) = (source, items);
+        PartBox all = PartBox.Nothing;
+        for (int i = 0; i < items.Length; i++)
+        {
+            items[i] = new PartItem(source, order is null ? i : order[i]);
+            all.Add(items[i].Box);
+        }
+
         SetFrame(all);
         ToFrame(items.Length);
     }

@@ -5,6 +5,13 @@ internal struct PartItem
 {
     public PartBox Box;
     public int Part;
+
+    /// <summary>A part with its box in the shape's frame.</summary>
+    public PartItem(IPartSource source, int part)
+    {
+        source.GetBox(part, out Double3 min, out Double3 max);
+        (Box, Part) = (new PartBox(min, max), part);
+    }
 }
 
 /// <summary>Parts that follow each other while a tree is built.</summary>

@@ -37,15 +37,7 @@ internal sealed class PartTreeBuilder
         (_leafSize, _mostInLeaf, _workers) = (leafSize, mostInLeaf, workers);
         int count = source.Count;
         _items = new PartItem[count];
-        PartBox all = PartBox.Nothing;
-        for (int i = 0; i < count; i++)
-        {
-            source.GetBox(i, out Double3 min, out Double3 max);
-            _items[i] = new PartItem { Box = new PartBox(min, max), Part = i };
-            all.Add(_items[i].Box);
-        }
-
-        _fit = new BoxFit(source, _items, all);
+        _fit = new BoxFit(source, _items);
         Reserve(count < LeastToShare ? count : 0);
     }
 

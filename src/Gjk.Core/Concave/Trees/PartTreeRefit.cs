@@ -8,16 +8,7 @@ internal sealed class PartTreeRefit
 
     private PartTreeRefit(IPartSource source, PartTree like)
     {
-        var items = new PartItem[like.Order.Length];
-        PartBox all = PartBox.Nothing;
-        for (int i = 0; i < items.Length; i++)
-        {
-            source.GetBox(like.Order[i], out Double3 min, out Double3 max);
-            items[i] = new PartItem { Box = new PartBox(min, max), Part = like.Order[i] };
-            all.Add(items[i].Box);
-        }
-
-        _fit = new BoxFit(source, items, all);
+        _fit = new BoxFit(source, new PartItem[like.Order.Length], like.Order);
         _tree = new PartTree((float[])like.Boxes.Clone(), like.Children, like.Order);
         _fit.WriteFrame(_tree);
     }

@@ -47,12 +47,7 @@ internal sealed class RegionRefit
     public void FitAll()
     {
         PartBox all = PartBox.Nothing;
-        for (int i = 0; i < _source.Count; i++)
-        {
-            _source.GetBox(i, out Double3 min, out Double3 max);
-            all.Add(new PartBox(min, max));
-        }
-
+        for (int i = 0; i < _source.Count; i++) all.Add(new PartItem(_source, i).Box);
         _fit.SetFrame(all);
         _fit.WriteFrame(_tree);
         _region = PartBox.Everything;
@@ -86,13 +81,7 @@ internal sealed class RegionRefit
 
     private void Measure(int first, int count)
     {
-        for (int i = 0; i < count; i++)
-        {
-            int part = _tree.Order[first + i];
-            _source.GetBox(part, out Double3 min, out Double3 max);
-            _items[i] = new PartItem { Box = new PartBox(min, max), Part = part };
-        }
-
+        for (int i = 0; i < count; i++) _items[i] = new PartItem(_source, _tree.Order[first + i]);
         _fit.ToFrame(count);
         _fit.Measure(0, count);
     }

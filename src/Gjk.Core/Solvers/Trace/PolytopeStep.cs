@@ -82,9 +82,7 @@ public readonly ref struct PolytopeStep
     /// <summary>A point of A - B, in A's axes.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="VertexCount"/>.</exception>
     public Double3 Vertex(int index) =>
-        index >= 0 && index < VertexCount
-            ? _axes.Vector(_polytope.Vertex(index).W)
-            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+        _axes.Vector(_polytope.Vertex(Guard.Index(index, VertexCount, nameof(index), "vertex")).W);
 }
 
 /// <summary>A triangle of the surface that grows inside A - B. Its corners run counterclockwise seen from outside.

@@ -3,18 +3,8 @@ namespace Gjk.Core.Diagnostics;
 /// <summary>One support call on each of the two shapes, in A's own frame. Immutable.</summary>
 public readonly struct TracedSupport
 {
-    internal TracedSupport(in PairFrame frame, in Double3 normal, in Simplex simplex, int slot, bool isExtended)
-    {
-        var axes = new TraceAxes(frame);
-        Normal = axes.Direction(normal);
-        PointOnA = axes.Vector(simplex.OnA(slot) + frame.CenterA);
-        Vertex = axes.Vector(simplex.W(slot));
-        IdA = simplex.IdA(slot);
-        IdB = simplex.IdB(slot);
-        IsExtended = isExtended;
-    }
-
-    internal TracedSupport(in PairFrame frame, in Double3 normal, in DifferenceVertex vertex)
+    internal TracedSupport(
+        in PairFrame frame, in Double3 normal, in DifferenceVertex vertex, bool isExtended = false)
     {
         var axes = new TraceAxes(frame);
         Normal = axes.Direction(normal);
@@ -22,7 +12,7 @@ public readonly struct TracedSupport
         Vertex = axes.Vector(vertex.W);
         IdA = vertex.IdA;
         IdB = vertex.IdB;
-        IsExtended = false;
+        IsExtended = isExtended;
     }
 
     /// <summary>The nearest feature's normal, of any length: from the origin to the feature. A was asked for its
@@ -84,17 +74,11 @@ public readonly struct TracedSimplex
 
     /// <summary>A vertex of the Minkowski difference, in A's axes.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public Double3 Vertex(int index) =>
-        index >= 0 && index < Count
-            ? Vector(index)
-            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+    public Double3 Vertex(int index) => Vector(Guard.Index(index, Count, nameof(index), "vertex"));
 
     /// <summary>The vertex's barycentric weight in <see cref="Nearest"/>: at least 0, with sum 1.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The index is not below <see cref="Count"/>.</exception>
-    public double Weight(int index) =>
-        index >= 0 && index < Count
-            ? _weights[index]
-            : throw new ArgumentOutOfRangeException(nameof(index), index, "There is no such vertex.");
+    public double Weight(int index) => _weights[Guard.Index(index, Count, nameof(index), "vertex")];
 
     private Double3 Vector(int index) => index < Count ? _axes.Vector(_simplex.W(_simplex[index])) : default;
 }
