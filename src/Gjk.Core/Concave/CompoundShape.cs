@@ -1,11 +1,13 @@
 namespace Gjk.Core;
 
-/// <summary>The union of convex parts, each in its place, with a tree for queries. Build it once and share it: it is
-/// immutable, and any number of shapes and threads may use it. Parts keep the caller's numbers.</summary>
+/// <summary>The union of convex parts and triangles, each in its place, with a tree for queries. Build it once and
+/// share it: it is immutable, and any number of shapes and threads may use it. Parts keep the caller's
+/// numbers.</summary>
 /// <remarks>What it is made of are its children. Those of several parts are taken apart when it is built: parts have
 /// their numbers in the order of the children, and those of one child in its own order. Poses are composed in double,
-/// and no coordinate is rounded to float on the way, however deep a part was nested. A placed part takes some 600 to
-/// 800 bytes, a triangle of a surface too: ten times as much as in a <see cref="TriangleMesh"/>.</remarks>
+/// and no coordinate is rounded to float on the way, however deep a part was nested. A placed part takes some 300 to
+/// 700 bytes, a triangle of a surface too: several times as much as in a <see cref="TriangleMesh"/>. It is a copy:
+/// <see cref="HeightField.SetHeights"/> does not change it.</remarks>
 [DebuggerDisplay("{" + nameof(PartCount) + "} parts")]
 public sealed class CompoundShape
 {
@@ -122,9 +124,10 @@ public sealed class CompoundShape
     /// <summary>The same compound with its children elsewhere, as the limbs of a body that moves.</summary>
     /// <param name="poses">Where each child is in the compound's frame, before its <see cref="Scaled"/>; as many as
     /// there are children. Copied.</param>
-    /// <returns>A compound with the same numbers and the answers of a new one. Its tree keeps its form and is fitted to
-    /// the new places: that is faster than a new build, and takes some 500 bytes for each part of the compound, and 300
-    /// more for each that moves. Build anew where parts have moved far from their neighbours.</returns>
+    /// <returns>A compound with the same numbers and the answers of a new one; only of equally near parts another one
+    /// may be named. Its tree keeps its form and is fitted to the new places: that is faster than a new build, and
+    /// takes some 400 bytes for each part of the compound, and 300 more for each that moves. Build anew where parts
+    /// have moved far from their neighbours.</returns>
     /// <exception cref="ArgumentNullException">The list is null.</exception>
     /// <exception cref="ArgumentException">There are more or fewer poses.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A pose is a <c>default</c> struct.</exception>

@@ -66,7 +66,8 @@ public sealed class HeightField
     /// may be named. Nothing is allocated.</summary>
     /// <remarks>The one change that a mesh knows, as a copy of a large field takes longer than most changes: no query
     /// of the mesh may run meanwhile, on any thread. Each shape that holds the mesh is changed with it, but no scaled
-    /// copy. Tell each scene that holds it by <see cref="CollisionScene.Refresh"/>.</remarks>
+    /// one and no compound, which have copies. Tell each scene that holds it by
+    /// <see cref="CollisionScene.Refresh"/>.</remarks>
     /// <param name="column">The first column that is changed.</param>
     /// <param name="row">The first row that is changed.</param>
     /// <param name="columns">How many columns are changed; at least 1.</param>

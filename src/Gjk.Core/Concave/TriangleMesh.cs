@@ -4,7 +4,7 @@ namespace Gjk.Core;
 /// and share it: it is immutable but for <see cref="Core.HeightField.SetHeights"/>, and any number of shapes and
 /// threads may use it.</summary>
 /// <remarks>Triangles keep the caller's numbers; degenerate and repeated ones count like all others. The largest
-/// triangle numbers are limited by memory alone: at most 70 bytes a triangle in meshes with half as many vertices as
+/// triangle numbers are limited by memory alone: some 54 to 90 bytes a triangle in meshes with half as many vertices as
 /// triangles.</remarks>
 [DebuggerDisplay("{" + nameof(TriangleCount) + "} triangles, {" + nameof(VertexCount) + "} vertices")]
 public sealed partial class TriangleMesh

@@ -46,7 +46,8 @@ public class BuildCostOnMonoTests
 
     private static readonly (string Method, string Reason)[] LargeLocals =
     [
-        ("ContactBuilder.*", State), ("ContactManifold.get_Swapped", Answer), ("ContactPlaces.FindAlong", State),
+        ("ContactBuilder.*", State), ("MeetingEdges.IsOverFace", State),
+        ("ContactManifold.get_Swapped", Answer), ("ContactPlaces.*", State),
         ("AxisScale.Frame", Placed), ("BodyForm.*", "round shapes of the depth, once"),
         ("Placement.GetFace", State), ("RigidPose.*", Conversion),
         ("ConvexQuery.*", Answer), ("DistanceFinish.ToWorld", Answer), ("DistanceSolver.Tell", Trace),
@@ -65,7 +66,7 @@ public class BuildCostOnMonoTests
         ("Containment.*", Answer), ("SolidExit.*", Answer), ("TreeFrame.Compose", Answer),
         ("BoxFit.TryGetSpread", Making), ("TriangleMesh.TryGetOutward", Cover), ("PlaneProof.*", Cover),
         ("Reaches.OfPart", Part), ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
-        ("ContactPush.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
+        ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
         ("DeepestPoint.Lead", Contact),
         ("AxialDepth.*", State), ("CornerDepth.*", Way), ("CylinderDepth.*", Way), ("PairForm.*", Way),
         ("BoxDepth.Solve", State), ("BoxDepthPoints.Find", "once, for the ends of the way that was found"),

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>A body that lies on flat flush ground, tilted by a little, is held at each of its corners, whichever part
