@@ -22,17 +22,20 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects) : 
         if (!_endless.Contains(id)) bounded.Move(id, bounds);
     }
 
-    /// <summary>Moves what has a number; negative ones are left out, and none is there twice.</summary>
+    /// <summary>Moves what has a number; negative ones are left out, and none is there twice. What has no end stays
+    /// where it is, and loses its number.</summary>
     public void MoveAll(int[] ids, Aabb[] bounds, int count, Workers? workers)
     {
-        if (bounded is DynamicAabbTree tree && _endless.Count == 0)
+        for (int i = 0; _endless.Count > 0 && i < count; i++)
+            if (_endless.Contains(ids[i])) ids[i] = SceneMoves.None;
+        if (bounded is DynamicAabbTree tree)
         {
             tree.MoveAll(ids, bounds, count, workers);
             return;
         }
 
         for (int i = 0; i < count; i++)
-            if (ids[i] >= 0) Move(ids[i], bounds[i]);
+            if (ids[i] >= 0) bounded.Move(ids[i], bounds[i]);
     }
 
     public void Remove(int id)

@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 90,
         ["Threading"] = 211,
         ["Wide"] = 926,
-        ["World"] = 1378,
+        ["World"] = 1380,
     };
 
     [Fact]

@@ -76,6 +76,29 @@ public class SceneMoveAllTests
         Assert.Equal(up, scene.GetPose(floor));
     }
 
+    /// <summary>A floor without an end is in no tree, and its number is among those that are moved.</summary>
+    [Fact]
+    public void AFloorWithoutAnEndMovesWithTheRest()
+    {
+        using var workers = new Workers(3);
+        var world = new MovingWorld(33, 1500, ["box", "sphere"]);
+        CollisionScene one = world.Scene(BroadPhaseKind.DynamicTree), all = world.Scene(BroadPhaseKind.DynamicTree);
+        int floor = one.Add(ConvexShape.HalfSpace(Vector3.UnitY, 0), RigidPose.Identity);
+        Assert.Equal(floor, all.Add(ConvexShape.HalfSpace(Vector3.UnitY, 0), RigidPose.Identity));
+        int[] ids = [.. Enumerable.Range(0, floor + 1)];
+        List<ObjectPair> expected = [], found = [];
+        for (int frame = 1; frame <= 5; frame++)
+        {
+            RigidPose[] poses = [.. ids[..floor].Select(id => Stepped(world, id)), new(frame * 0.3f * Vector3.UnitY)];
+            for (int i = 0; i < ids.Length; i++) one.Move(ids[i], poses[i]);
+            all.MoveAll(ids, poses, workers);
+            one.FindOverlaps(expected);
+            all.FindOverlaps(found, workers);
+            Assert.Equal(expected, found);
+            Assert.Contains(found, pair => pair.B == floor);
+        }
+    }
+
     [Theory]
     [InlineData(1)]
     [InlineData(3)]
