@@ -20,7 +20,7 @@ public sealed partial class TriangleMesh
         mesh = null;
         reason = vertices is null || indices is null
             ? "There is no list of vertices, or none of indices."
-            : Refusal(vertices, indices, out _, out _);
+            : Refusal(vertices, indices, out _, out _).Reason;
         if (reason is not null) return false;
         mesh = new TriangleMesh(vertices!, indices!, workers);
         return true;
@@ -38,13 +38,13 @@ public sealed partial class TriangleMesh
         if (Guard.NotNull(vertices, nameof(vertices)).Count != VertexCount)
             throw new ArgumentException($"There must be {VertexCount} vertices.", nameof(vertices));
         int[] corners = _list.CopyIndices();
-        string? reason = Refusal(vertices, corners, out Vector3[] points, out corners);
+        string? reason = Refusal(vertices, corners, out Vector3[] points, out corners).Reason;
         if (reason is not null) throw new ArgumentException(reason, nameof(vertices));
         MeshTopology topology = _topology.WithVertices(points, corners);
         return new TriangleMesh(new TriangleList(points, corners), topology, Scale, Tree);
     }
 
-    private static string? Refusal(
+    private static (string? Reason, string? Argument) Refusal(
         IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, out Vector3[] points, out int[] corners)
     {
         points = new Vector3[Math.Max(vertices.Count, 0)];
@@ -52,18 +52,21 @@ public sealed partial class TriangleMesh
         for (int i = 0; i < points.Length; i++)
         {
             points[i] = vertices[i];
-            if (!Guard.IsFinite(points[i])) return $"Vertex {i} has a coordinate that is NaN or infinite.";
+            if (Guard.IsFinite(points[i])) continue;
+            return ($"Vertex {i} has a coordinate that is NaN or infinite.", nameof(vertices));
         }
 
-        if (corners.Length == 0) return "At least one triangle is needed.";
-        if (corners.Length % 3 != 0) return $"There are {corners.Length} indices, which is not a multiple of 3.";
+        if (corners.Length == 0) return ("At least one triangle is needed.", nameof(indices));
+        if (corners.Length % 3 != 0)
+            return ($"There are {corners.Length} indices, which is not a multiple of 3.", nameof(indices));
         for (int i = 0; i < corners.Length; i++)
         {
             corners[i] = indices[i];
             if ((uint)corners[i] < (uint)points.Length) continue;
-            return $"Triangle {i / 3} names vertex {corners[i]}, but there are {points.Length}, counted from 0.";
+            string names = $"Triangle {i / 3} names vertex {corners[i]}";
+            return ($"{names}, but there are {points.Length}, counted from 0.", nameof(indices));
         }
 
-        return null;
+        return default;
     }
 }

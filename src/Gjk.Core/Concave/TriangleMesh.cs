@@ -41,8 +41,8 @@ public sealed partial class TriangleMesh
         Workers.Check(workers);
         Guard.NotNull(vertices, nameof(vertices));
         Guard.NotNull(indices, nameof(indices));
-        string? reason = Refusal(vertices, indices, out Vector3[] points, out int[] corners);
-        if (reason is not null) throw new ArgumentException(reason);
+        (string? reason, string? argument) = Refusal(vertices, indices, out Vector3[] points, out int[] corners);
+        if (reason is not null) throw new ArgumentException(reason, argument);
         _list = new TriangleList(points, corners);
         _topology = new MeshTopology(points, corners);
         Scale = Vector3.One;

@@ -23,7 +23,8 @@ internal static class StudyCommand
         SavesCommand.Build(cancel),
     };
 
-    /// <summary>Writes texts to files or standard output. No file appears before all are complete.</summary>
+    /// <summary>Writes texts to files, and says so, or to standard output. No file appears before all are
+    /// complete.</summary>
     public static void Write(CancellationToken cancel, params (string? File, string Text)[] outputs)
     {
         var files = new List<AtomicFile>();
@@ -43,6 +44,10 @@ internal static class StudyCommand
 
             foreach (AtomicFile file in files) file.Complete();
             foreach (AtomicFile file in files) file.Commit();
+            foreach ((string? file, _) in outputs)
+            {
+                if (file is not null) StandardError.Line($"wrote {file}");
+            }
         }
         finally
         {

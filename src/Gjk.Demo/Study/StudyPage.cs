@@ -38,6 +38,7 @@ internal static class StudyPage
             Write(data.Json, study);
             ScriptPage.Write(file.Stream, study.Name, data.Text, "study", "jspsych.LICENSE.txt");
             file.Commit();
+            StandardError.Line($"wrote the study to {html}");
             return ExitCode.Done;
         });
         return command;

@@ -19,6 +19,10 @@ public class SolidTests
         Assert.Equal((2, 1, false), (dirty.DegenerateCount, dirty.DuplicateCount, dirty.HasInside));
         Assert.False(TriangleMesh.TryCreate(points, [0, 1, 9], out _, out string? reason));
         Assert.Equal("Triangle 0 names vertex 9, but there are 5, counted from 0.", reason);
+        Assert.Throws<ArgumentException>("indices", () => new TriangleMesh(points, [0, 1, 9]));
+        Assert.Throws<ArgumentException>("indices", () => new TriangleMesh(points, [0, 1]));
+        Assert.Throws<ArgumentException>("indices", () => new TriangleMesh(points, []));
+        Assert.Throws<ArgumentException>("vertices", () => new TriangleMesh([new(float.NaN)], [0, 0, 0]));
         Assert.Equal(
             "The edge from vertex 0 to vertex 1 has 1 triangle along it and 0 triangles against it.",
             new TriangleMesh(points, [0, 1, 2]).WhyNoInside);

@@ -77,7 +77,8 @@ public sealed class StudyDataTests : IDisposable
     public void ABadPlanGetsItsPath(string good, string bad, string reason)
     {
         string plan = _directory.File("plan.json");
-        DemoProcess.Run("study", "plan", "--out", plan).AssertDone();
+        DemoRun written = DemoProcess.Run("study", "plan", "--out", plan);
+        Assert.Equal((0, "", $"gjk-demo: wrote {plan}\n"), (written.ExitCode, written.Out, written.Error));
         string text = File.ReadAllText(plan);
         Assert.Contains(good, text);
         File.WriteAllText(plan, text.Replace(good, bad));
