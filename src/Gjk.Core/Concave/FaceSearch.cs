@@ -8,7 +8,8 @@ internal ref struct FaceSearch
     /// More asks for the tips of both sides, which costs time only.</summary>
     private const double Steep = 0.1;
 
-    /// <summary>Sine: faces that are tilted by no more lie on each other.</summary>
+    /// <summary>Sine: faces that are tilted by no more lie on each other. Ten times more or less is as good for
+    /// WheelAlongEdgeTests.</summary>
     private const double Level = 0.01;
 
     /// <summary>Ratio to a depth: points along a face of which the deepest is less deep than the tip by more are not
