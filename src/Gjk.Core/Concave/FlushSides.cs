@@ -8,8 +8,8 @@ internal static class FlushSides
     /// rounded to its edge. Four times more or less is as good for SeamCornerTests.</summary>
     private const double Aside = 1.0 / 16;
 
-    /// <summary>Cosine: what goes on steeper is not seen from just beyond a witness, as that is rounded. Four times more
-    /// or less is as good for SeamCornerTests.</summary>
+    /// <summary>Cosine: what goes on steeper is not seen from just beyond a witness, as that is rounded. Four times
+    /// more or less is as good for SeamCornerTests.</summary>
     private const double Steepest = 0.01;
 
     /// <summary>A point just beyond a witness, and beside it to where the middle of what goes on there is: over that,

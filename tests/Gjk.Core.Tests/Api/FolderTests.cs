@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 119,
         ["Batch"] = 165,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3158,
+        ["Concave"] = 3161,
         ["Concave/Trees"] = 736,
         ["Contacts"] = 1012,
         ["Cores"] = 571,
