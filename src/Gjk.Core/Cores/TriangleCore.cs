@@ -51,9 +51,8 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
     public readonly bool TryGetVertex(int id, out Double3 point)
     {
-        if (id == 0) Double3.Write(_first.Xyz.X, _first.Xyz.Y, _first.Xyz.Z, out point);
-        else if (id == 1) Double3.Write(_second.Xyz.X, _second.Xyz.Y, _second.Xyz.Z, out point);
-        else Double3.Write(_third.Xyz.X, _third.Xyz.Y, _third.Xyz.Z, out point);
+        ref readonly Double3 corner = ref Uncleared.At(_first, Has(id) ? id : 0).Xyz;
+        Double3.Write(corner.X, corner.Y, corner.Z, out point);
         return Has(id);
     }
 

@@ -89,7 +89,11 @@ internal struct ClosestFeature
     public double NormalSquared;
 
     /// <summary>The squared distance of the feature from the origin.</summary>
-    public readonly double DistanceSquared => Height * Height / NormalSquared;
+    public readonly double DistanceSquared
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Height * Height / NormalSquared;
+    }
 }
 
 /// <summary>A plane n·x = value that has the whole Minkowski difference on its far side, as a support point proves:
