@@ -57,6 +57,7 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
         TriangleCore.Face(A - _center, B - _center, C - _center, direction, ref corners);
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryGetVertex(int id, out Double3 point)
     {
         ref readonly Vector3 corner = ref Uncleared.At(A, TriangleCore.Has(id) ? id : 0);
