@@ -17,7 +17,6 @@ internal static class XyzExtensions
 
     /// <summary>Rounded to float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Round(this in Xyz v, out Vector3 rounded) => rounded = v.ToSingle();
 
     /// <summary>Rounded to float, as a value.</summary>
@@ -57,19 +56,16 @@ internal static class XyzExtensions
     /// <summary>A point of a core and the margin along a unit normal, in the shape's frame and in world
     /// units.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void OnSurface(
         this Xyz onCore, Xyz normal, double margin, in Double3 center, double unit, out Xyz point) =>
         point = (onCore + normal * margin + center.ToXyz()) * unit;
 
     /// <summary>A vector turned, and what is added to it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Place(this in RotationD matrix, Xyz v, in Vector3 position, out Xyz placed) =>
         placed = matrix.Rotate(v) + ((Double3)position).ToXyz();
 
     /// <summary>A vector turned, and reversed.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Opposite(this in RotationD matrix, Xyz v, out Xyz opposite) => opposite = -matrix.Rotate(v);
 
@@ -158,7 +154,6 @@ internal static class XyzExtensions
             from.X - (x + translation.X), from.Y - (y + translation.Y), from.Z - (z + translation.Z), out difference);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Plus(this in Double3 v, in Double3 w, double s, out Double3 sum) =>
         Double3.Write(v.X + w.X * s, v.Y + w.Y * s, v.Z + w.Z * s, out sum);
 
