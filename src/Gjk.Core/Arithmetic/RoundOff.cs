@@ -11,9 +11,6 @@ internal static class RoundOff
     public static float Down(double x)
     {
         float f = (float)x;
-
-        // Which way it was rounded is unpredictable.
-        if (f > 0 & f <= float.MaxValue) return FromBits(Bits(f) - (f > x ? 1 : 0));
         if (f <= x) return f;
         if (float.IsInfinity(f)) return float.MaxValue;
         int bits = Bits(f);

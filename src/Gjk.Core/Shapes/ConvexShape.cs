@@ -107,9 +107,9 @@ public readonly partial struct ConvexShape
 
     /// <summary>As <see cref="ISupportMap.BoundingRadius"/>; infinite for a half-space; NaN in a <c>default</c>
     /// struct, which no query accepts.</summary>
-    public double BoundingRadius => _parts.Placement is not null ? _parts.Placement.Radius(_boundingRadius, _margin)
-        : _boundingRadius == 0 && _parts.Kind == ShapeKind.None ? double.NaN
-        : _boundingRadius;
+    public double BoundingRadius => _parts.Kind == ShapeKind.None ? double.NaN
+        : _parts.Placement is null ? _boundingRadius
+        : _parts.Placement.Radius(_boundingRadius, _margin);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point)

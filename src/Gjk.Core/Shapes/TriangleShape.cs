@@ -60,7 +60,7 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryGetVertex(int id, out Double3 point)
     {
-        ref readonly Vector3 corner = ref Uncleared.At(A, TriangleCore.Has(id) ? id : 0);
+        ref readonly Vector3 corner = ref TriangleCore.Corner(A, id);
         Double3.Write(corner.X - _center.X, corner.Y - _center.Y, corner.Z - _center.Z, out point);
         return TriangleCore.Has(id);
     }
