@@ -76,7 +76,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Concave"] = 3158,
         ["Concave/Trees"] = 736,
         ["Contacts"] = 1012,
-        ["Cores"] = 571,
+        ["Cores"] = 574,
         ["Diagnostics"] = 681,
         ["Geometry"] = 700,
         ["Hulls"] = 214,
