@@ -20,8 +20,8 @@ internal static unsafe class BoxSupport
     {
         fixed (Double3* at = &direction)
         {
-            long* bits = (long*)at;
-            return Sign(bits[0]) | Sign(bits[1]) << 1 | Sign(bits[2]) << 2;
+            var bits = (Bits*)at;
+            return Sign(bits->X) | Sign(bits->Y) << 1 | Sign(bits->Z) << 2;
         }
     }
 
@@ -34,10 +34,10 @@ internal static unsafe class BoxSupport
     {
         fixed (Double3* at = &half, to = &point)
         {
-            long* from = (long*)at, bits = (long*)to;
-            bits[0] = from[0] ^ (long)signs << 63;
-            bits[1] = from[1] ^ (long)signs >> 1 << 63;
-            bits[2] = from[2] ^ (long)signs >> 2 << 63;
+            Bits* from = (Bits*)at, bits = (Bits*)to;
+            bits->X = from->X ^ (long)signs << 63;
+            bits->Y = from->Y ^ (long)signs >> 1 << 63;
+            bits->Z = from->Z ^ (long)signs >> 2 << 63;
         }
 
         return (uint)signs < 8u;
@@ -57,6 +57,12 @@ internal static unsafe class BoxSupport
         if (hasU) AddBoxCorner(half, first | u, ref corners);
         if (hasU && hasV) AddBoxCorner(half, first | u | v, ref corners);
         if (hasV) AddBoxCorner(half, first | v, ref corners);
+    }
+
+    /// <summary>The bits of a vector's numbers. By name, since Mono computes the address of a third number.</summary>
+    private struct Bits
+    {
+        public long X, Y, Z;
     }
 
     private static double HalfOf(in Double3 half, int bit) => bit == 1 ? half.X : bit == 2 ? half.Y : half.Z;

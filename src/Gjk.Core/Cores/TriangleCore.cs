@@ -51,14 +51,19 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
 
     public readonly bool TryGetVertex(int id, out Double3 point)
     {
-        if (id == 0) Double3.Write(_first.Xyz.X, _first.Xyz.Y, _first.Xyz.Z, out point);
-        else if (id == 1) Double3.Write(_second.Xyz.X, _second.Xyz.Y, _second.Xyz.Z, out point);
-        else Double3.Write(_third.Xyz.X, _third.Xyz.Y, _third.Xyz.Z, out point);
+        ref readonly Double3 corner = ref Corner(_first, id).Xyz;
+        Double3.Write(corner.X, corner.Y, corner.Z, out point);
         return Has(id);
     }
 
     /// <summary>Whether there is a corner with the id.</summary>
     public static bool Has(int id) => (uint)id < 3u;
+
+    /// <summary>One of three corners that follow each other; the first where there is none with the id. No branch: ids
+    /// are unpredictable.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ref readonly T Corner<T>(in T first, int id)
+        where T : struct => ref Uncleared.At(first, Has(id) ? id : 0);
 
     /// <summary>The id of the furthest corner.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -72,13 +72,21 @@ public readonly struct Double3 : IEquatable<Double3>
 #else
         fixed (Double3* same = &v)
         {
-            double* to = (double*)same;
-            to[0] = x;
-            to[1] = y;
-            to[2] = z;
+            var to = (Fields*)same;
+            to->X = x;
+            to->Y = y;
+            to->Z = z;
         }
 #endif
     }
+
+#if !NET
+    /// <summary>The fields of a vector, to be written: Mono computes the address of an array's third number.</summary>
+    private struct Fields
+    {
+        public double X, Y, Z;
+    }
+#endif
 
     /// <summary>The normal of a triangle, (q - p) × (r - p).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -104,8 +112,8 @@ public readonly struct Double3 : IEquatable<Double3>
 
     /// <summary>From one position to another.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Double3 Between(in Vector3 from, in Vector3 to) =>
-        new((double)to.X - from.X, (double)to.Y - from.Y, (double)to.Z - from.Z);
+    internal static void Between(in Vector3 from, in Vector3 to, out Double3 way) =>
+        Write((double)to.X - from.X, (double)to.Y - from.Y, (double)to.Z - from.Z, out way);
 
     /// <summary>Difference.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

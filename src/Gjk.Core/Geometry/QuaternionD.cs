@@ -21,7 +21,11 @@ internal struct QuaternionD(double x, double y, double z, double w)
         wide.W = q.W;
     }
 
-    public readonly double LengthSquared => X * X + Y * Y + Z * Z + W * W;
+    public readonly double LengthSquared
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => X * X + Y * Y + Z * Z + W * W;
+    }
 
     public readonly QuaternionD Conjugate => new(-X, -Y, -Z, W);
 

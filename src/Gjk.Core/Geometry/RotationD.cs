@@ -104,8 +104,18 @@ internal struct RotationD
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly Double3 InverseRotate(in Double3 v) => new(
-        M00 * v.X + M10 * v.Y + M20 * v.Z,
-        M01 * v.X + M11 * v.Y + M21 * v.Z,
-        M02 * v.X + M12 * v.Y + M22 * v.Z);
+    public readonly Double3 InverseRotate(in Double3 v)
+    {
+        InverseRotate(v, out double x, out double y, out double z);
+        return new Double3(x, y, z);
+    }
+
+    /// <inheritdoc cref="Rotate(in Double3, out double, out double, out double)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void InverseRotate(in Double3 v, out double x, out double y, out double z)
+    {
+        x = M00 * v.X + M10 * v.Y + M20 * v.Z;
+        y = M01 * v.X + M11 * v.Y + M21 * v.Z;
+        z = M02 * v.X + M12 * v.Y + M22 * v.Z;
+    }
 }

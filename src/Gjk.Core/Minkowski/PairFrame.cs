@@ -132,11 +132,19 @@ internal struct PairFrame
         Uncleared.Begin(out frame._turnA);
         Uncleared.Begin(out frame._turnB);
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
-        if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
+        if (offset == 0 || !(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
-            Double3 between = Double3.Between(poseA.Position, poseB.Position);
-            frame.Translation = frame.RotationA.InverseRotate(between);
-            if (offset != 0) frame.Translation += frame.Rotation.Rotate(centerB) - centerA;
+            Double3.Between(poseA.Position, poseB.Position, out Double3 between);
+            frame.RotationA.InverseRotate(between, out double x, out double y, out double z);
+            if (offset != 0)
+            {
+                frame.Rotation.Rotate(centerB, out double toX, out double toY, out double toZ);
+                x += toX - centerA.X;
+                y += toY - centerA.Y;
+                z += toZ - centerA.Z;
+            }
+
+            Double3.Write(x, y, z, out frame.Translation);
         }
         else
         {
@@ -196,10 +204,13 @@ internal struct PairFrame
     /// <summary>From A's centre to B's, in the world's axes, as exact as the poses are.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 BetweenCenters(
-        in RigidPose poseA, in Double3 centerA, in RigidPose poseB, in Double3 centerB) =>
-        centerA.SumOfMagnitudes + centerB.SumOfMagnitudes == 0
-            ? Double3.Between(poseA.Position, poseB.Position)
-            : BetweenFarCenters(poseA, poseB, centerA, centerB);
+        in RigidPose poseA, in Double3 centerA, in RigidPose poseB, in Double3 centerB)
+    {
+        if (centerA.SumOfMagnitudes + centerB.SumOfMagnitudes != 0)
+            return BetweenFarCenters(poseA, poseB, centerA, centerB);
+        Double3.Between(poseA.Position, poseB.Position, out Double3 between);
+        return between;
+    }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Double3 BetweenFarCenters(

@@ -69,11 +69,13 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        DistanceResult result;
         fixed (WarmStart* warm = &warmStart)
         {
             var solver = new DistanceSolver<NoTrace>(maxDistance, warm);
-            PairQuery.Run(a, poseA, b, poseB, ref solver, out DistanceResult result);
-            return result;
+            PairQuery.Run(a, poseA, b, poseB, ref solver, out result);
         }
+
+        return result;
     }
 }

@@ -53,7 +53,8 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
         double radiusA = a.BoundingRadius + a.Center.SumOfMagnitudes;
         double radiusB = b.BoundingRadius + b.Center.SumOfMagnitudes;
         double reach = (radiusA + radiusB) * (1 + GjkTolerances.SeparatedBandCurved);
-        double distanceSquared = Double3.Between(poseA.Position, poseB.Position).LengthSquared;
+        Double3.Between(poseA.Position, poseB.Position, out Double3 between);
+        double distanceSquared = between.LengthSquared;
         return distanceSquared > reach * reach & a.Margin >= 0 & b.Margin >= 0 & radiusA >= 0 & radiusB >= 0
             && PairFrame.IsOrdinarySize(distanceSquared) && poseA.IsValid && poseB.IsValid;
     }

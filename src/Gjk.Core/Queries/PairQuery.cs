@@ -105,14 +105,30 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
 #endif
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static bool SolveCores<TCoreA, TCoreB>(
+    private static unsafe bool SolveCores<TCoreA, TCoreB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
         where TCoreA : struct, ISupportMap
         where TCoreB : struct, ISupportMap
     {
-        CoreOf.Get(ref a, out TCoreA coreA);
-        CoreOf.Get(ref b, out TCoreB coreB);
-        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
+#if NET
+        Uncleared.Begin(out TCoreA coreA);
+        Uncleared.Begin(out TCoreB coreB);
+        Uncleared.Begin(out PairFrame frame);
+        Uncleared.Begin(out SolverState state);
+#else
+#pragma warning disable CS8500 // These cores hold no references.
+        // Mono clears locals one by one, by a call for each large one; this at once.
+        byte* memory = stackalloc byte[sizeof(TCoreA) + sizeof(TCoreB) + sizeof(PairFrame) + sizeof(SolverState)];
+        ref TCoreA coreA = ref *(TCoreA*)memory;
+        ref TCoreB coreB = ref *(TCoreB*)(memory + sizeof(TCoreA));
+        ref PairFrame frame = ref *(PairFrame*)(memory + sizeof(TCoreA) + sizeof(TCoreB));
+        ref SolverState state = ref *(SolverState*)(memory + sizeof(TCoreA) + sizeof(TCoreB) + sizeof(PairFrame));
+#pragma warning restore CS8500
+#endif
+        CoreOf.Get(ref a, out coreA);
+        CoreOf.Get(ref b, out coreB);
+        Solve(
+            ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref frame, ref state, ref solver, out result);
         return true;
     }
 
@@ -126,23 +142,31 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
     }
 
-    /// <summary>Composes, refuses, solves and finishes.</summary>
+    /// <summary>Solves shapes as they are.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static unsafe void Solve<TCoreA, TCoreB>(
-        ref TA a, ref TCoreA coreA, in RigidPose poseA, ref TB b, ref TCoreB coreB, in RigidPose poseB,
-        ref TSolver solver, out TResult result)
-        where TCoreA : struct, ISupportMap
-        where TCoreB : struct, ISupportMap
+    public static unsafe void Solve(
+        ref TA a, ref TA coreA, in RigidPose poseA, ref TB b, ref TB coreB, in RigidPose poseB, ref TSolver solver,
+        out TResult result)
     {
 #if NET
         Uncleared.Begin(out PairFrame frame);
         Uncleared.Begin(out SolverState state);
 #else
-        // Mono clears locals, a kilobyte of them, far more slowly than what is allocated.
         byte* memory = stackalloc byte[sizeof(PairFrame) + sizeof(SolverState)];
         ref PairFrame frame = ref *(PairFrame*)memory;
         ref SolverState state = ref *(SolverState*)(memory + sizeof(PairFrame));
 #endif
+        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref frame, ref state, ref solver, out result);
+    }
+
+    /// <summary>Composes, refuses, solves and finishes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Solve<TCoreA, TCoreB>(
+        ref TA a, ref TCoreA coreA, in RigidPose poseA, ref TB b, ref TCoreB coreB, in RigidPose poseB,
+        ref PairFrame frame, ref SolverState state, ref TSolver solver, out TResult result)
+        where TCoreA : struct, ISupportMap
+        where TCoreB : struct, ISupportMap
+    {
         if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
             PairFrame.ComposePlaced(
                 ref coreA, poseA, ShapeTraits<TA>.Of.PlacementOf(ref a), ref coreB, poseB,

@@ -57,11 +57,12 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
         TriangleCore.Face(A - _center, B - _center, C - _center, direction, ref corners);
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryGetVertex(int id, out Double3 point)
     {
-        ref readonly Vector3 corner = ref id == 0 ? ref A : ref id == 1 ? ref B : ref C;
+        ref readonly Vector3 corner = ref TriangleCore.Corner(A, id);
         Double3.Write(corner.X - _center.X, corner.Y - _center.Y, corner.Z - _center.Z, out point);
-        return (uint)id < 3u;
+        return TriangleCore.Has(id);
     }
 
     internal static Double3 Centroid(in Double3 a, in Double3 b, in Double3 c) => (a + b + c) * (1.0 / 3);

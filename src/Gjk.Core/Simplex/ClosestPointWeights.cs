@@ -228,6 +228,7 @@ internal static class ClosestPointWeights
 }
 
 /// <summary>Up to four barycentric weights.</summary>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Weights(double a, double b, double c, double d)
 {
     public readonly double A = a, B = b, C = c, D = d;

@@ -19,9 +19,10 @@ internal struct FeatureVertices
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin(out FeatureVertices vertices)
     {
-        vertices.A = new MinkowskiVertex(default, 0);
-        vertices.B = new MinkowskiVertex(default, 0);
-        vertices.C = new MinkowskiVertex(default, 0);
+        vertices.A.X = vertices.A.Y = vertices.A.Z = 0;
+        vertices.B.X = vertices.B.Y = vertices.B.Z = 0;
+        vertices.C.X = vertices.C.Y = vertices.C.Z = 0;
+        vertices.A.Slot = vertices.B.Slot = vertices.C.Slot = 0;
         vertices.Count = 0;
         vertices.Winding = 1;
     }
@@ -89,7 +90,11 @@ internal struct ClosestFeature
     public double NormalSquared;
 
     /// <summary>The squared distance of the feature from the origin.</summary>
-    public readonly double DistanceSquared => Height * Height / NormalSquared;
+    public readonly double DistanceSquared
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Height * Height / NormalSquared;
+    }
 }
 
 /// <summary>A plane n·x = value that has the whole Minkowski difference on its far side, as a support point proves:

@@ -49,7 +49,12 @@ internal static class GjkDistance
         where TB : struct, ISupportMap
         where TTrace : struct, IGjkTrace
     {
+#if NET
         Load(state, out FeatureVertices vertices, out ClosestFeature feature);
+#else
+        ref FeatureVertices vertices = ref state.Vertices;
+        Load(state, out vertices, out ClosestFeature feature);
+#endif
         double distanceSquared = double.PositiveInfinity, touchSquared = state.TouchSquared, noise = state.Noise;
         double reachSquared = maxDistance * maxDistance;
         bool separated = false;
@@ -86,7 +91,7 @@ internal static class GjkDistance
 
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, feature.Normal, state.Simplex.At(slot)));
             double plane = Double3.Dot(feature.Normal, w);
-            separated |= plane > 0 && plane * plane > touchSquared * feature.NormalSquared;
+            separated |= plane > 0 & plane * plane > touchSquared * feature.NormalSquared;
             Ending ending = Judge(state, vertices, feature, plane, reachSquared, noise, frame.Margins);
             if (ending != Ending.None)
             {
@@ -141,7 +146,7 @@ internal static class GjkDistance
         in SolverState state, in FeatureVertices vertices, in ClosestFeature feature, double plane,
         double reachSquared, double noise, double margins)
     {
-        if (plane > 0 && plane * plane > reachSquared * feature.NormalSquared) return Ending.Beyond;
+        if (plane > 0 & plane * plane > reachSquared * feature.NormalSquared) return Ending.Beyond;
         if (vertices.Count == 0) return Ending.None;
         double gap = feature.Height - plane;
         if (!Proofs.IsClosed(gap, feature, state.IsCurved, noise, margins))

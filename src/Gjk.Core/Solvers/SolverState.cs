@@ -29,6 +29,11 @@ internal struct SolverState
     /// <summary>Support calls made on each shape.</summary>
     public int Iterations;
 
+#if !NET
+    /// <summary>Those of the search, which Mono would clear once more as a local of its own.</summary>
+    public FeatureVertices Vertices;
+#endif
+
     /// <summary>How near the origin counts as touching it, squared.</summary>
     public readonly double TouchSquared
     {

@@ -43,7 +43,7 @@ public struct WarmStart
         if (count > 2) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a2, _b2, ref simplex.At(2));
         if (count > 3) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a3, _b3, ref simplex.At(3));
         if (found) simplex.Select(count, 0, 1, 2, 3);
-        state.Feature.Normal = FirstNormal(frame);
+        else state.Feature.Normal = FirstNormal(frame);
     }
 
     /// <summary>Remembers where a query ended, unless the shapes contradicted themselves.</summary>

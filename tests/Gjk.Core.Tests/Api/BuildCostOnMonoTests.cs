@@ -25,7 +25,6 @@ public class BuildCostOnMonoTests
         ("Placement.GetFace", Given), ("ShapeTraits.cctor", Making), ("PlacedTraits.InCoreAxes", Decorator),
         ("Guard.NotNull", Making), ("PairFrame.Tighten", Given),
         ("UnitSized.*", Decorator), ("ConvexQuery.AddPlacedPoints", Placed), ("PairQuery.SolveCopies", Given),
-        ("PairQuery.SolveCores", "the cores, made once for each query in place of a switch in each support"),
         ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
         ("HalfSpacePair.Ask", "the core of the other shape, once for each query"),
     ];
