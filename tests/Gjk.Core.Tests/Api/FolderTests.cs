@@ -78,7 +78,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Contacts"] = 1012,
         ["Cores"] = 571,
         ["Diagnostics"] = 683,
-        ["Geometry"] = 692,
+        ["Geometry"] = 712,
         ["Hulls"] = 214,
         ["Hulls/Building"] = 831,
         ["Hulls/Lookup"] = 878,
