@@ -15,6 +15,7 @@ public static class RayBatch
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="cancellation">Looked at every hundred rays or so.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <param name="sides">Which sides are met; by default both, of a solid shape.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
     /// <exception cref="ArgumentException">There are fewer results than rays, or a ray is a <c>default</c> struct; the
     /// message names the ray.</exception>
@@ -23,22 +24,25 @@ public static class RayBatch
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public static void RayCast(
         in ConvexShape shape, in RigidPose pose, RayQuery[] rays, RayCastResult[] results, Workers? workers = null,
-        CancellationToken cancellation = default, in CastOptions options = default)
+        CancellationToken cancellation = default, in CastOptions options = default, RaySides sides = RaySides.Both)
     {
         RayQuery.Check(rays, results);
         Workers.Run(
-            workers, new RayJob(shape, pose, rays, results, options), rays.Length, PairBatch.PartLength, cancellation);
+            workers, new RayJob(shape, pose, rays, results, options, sides), rays.Length, PairBatch.PartLength,
+            cancellation);
     }
 
     private readonly struct RayJob(
-        ConvexShape shape, RigidPose pose, RayQuery[] rays, RayCastResult[] results, CastOptions options) : IPartJob
+        ConvexShape shape, RigidPose pose, RayQuery[] rays, RayCastResult[] results, CastOptions options,
+        RaySides sides) : IPartJob
     {
         public void Run(int begin, int end)
         {
             for (int i = begin; i < end; i++)
             {
                 RayQuery ray = rays[i];
-                results[i] = ConvexQuery.RayCast(shape, pose, ray.Origin, ray.Direction, ray.MaxDistance, options);
+                results[i] = ConvexQuery.RayCast(
+                    shape, pose, ray.Origin, ray.Direction, ray.MaxDistance, options, sides);
             }
         }
     }

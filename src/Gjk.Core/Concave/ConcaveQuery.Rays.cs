@@ -11,23 +11,25 @@ public static partial class ConcaveQuery
     /// <param name="maxDistance">World units: how far the ray reaches, +infinity for all the way; less than 0 counts as
     /// 0, which asks whether the origin is inside.</param>
     /// <param name="options">Which contacts are passed, of each part; by default none.</param>
+    /// <param name="sides">Which sides are met, of each part; by default both, and solids are solid.</param>
     /// <returns>The least distance over all parts, with the result that <c>ConvexQuery.RayCast</c> has for the part; of
     /// equal distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart,
     /// unless shallow contacts are passed; from on its surface into it: a hit at 0. Invalid input, or a scratch that is
-    /// null, gives <see cref="CastStatus.InvalidInput"/>.</returns>
+    /// null, gives <see cref="CastStatus.InvalidInput"/>. From inside a hollow solid: the first triangle met; of a
+    /// hollow compound each part is hollow.</returns>
     public static RayHit RayCast(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
-        float maxDistance = float.PositiveInfinity, in CastOptions options = default)
+        float maxDistance = float.PositiveInfinity, in CastOptions options = default, RaySides sides = RaySides.Both)
     {
-        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options))
+        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options, sides))
             return new RayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
         PartCastSearch.Run(scratch);
-        ref PartCastSearch search = ref scratch.CastSearch;
-        if (scratch.A.IsSolid && !options.PassesShallow
-            && !(search.PartA >= 0 && search.Ray.Status == CastStatus.OverlappingAtStart) && BeginsInOrOn(scratch))
+        RayHit found = FirstOf(scratch, maxDistance);
+        if (scratch.A.IsSolid && !options.PassesShallow && found.Status != CastStatus.OverlappingAtStart
+            && BeginsInOrOn(scratch))
         {
             PairDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
-            if (start.Distance < 0)
+            if (start.Distance < 0 && !sides.Has(RaySides.Hollow))
             {
                 return new RayHit(
                     new RayCastResult(
@@ -35,7 +37,14 @@ public static partial class ConcaveQuery
                     start.PartA);
             }
 
-            if (start.Distance == 0 && Enters(scratch, direction, search, maxDistance))
+            // The next surface on the way is looked for from both sides.
+            if (start.Distance == 0 && sides.Has(RaySides.FrontOnly)
+                && TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options, RaySides.Both))
+            {
+                PartCastSearch.Run(scratch);
+            }
+
+            if (start.Distance == 0 && Enters(scratch, direction, scratch.CastSearch, maxDistance))
             {
                 Vector3 outward = PartQuery.SignedDistance(scratch.A, start.PartA, scratch.B, 0).Normal;
                 return new RayHit(
@@ -43,6 +52,12 @@ public static partial class ConcaveQuery
             }
         }
 
+        return found;
+    }
+
+    private static RayHit FirstOf(ConcaveScratch scratch, float maxDistance)
+    {
+        ref readonly PartCastSearch search = ref scratch.CastSearch;
         return search.PartA >= 0
             ? new RayHit(search.Ray, scratch.A.NumberOf(search.PartA))
             : new RayHit(RayCastResult.Nothing(CastStatus.Miss, Math.Max(maxDistance, 0), 0));
@@ -77,14 +92,17 @@ public static partial class ConcaveQuery
     /// <param name="hits">Cleared, then one for each part that is met: what <c>ConvexQuery.RayCast</c> says of it, by
     /// distance and then by number.</param>
     /// <param name="maxDistance">As of the first hit.</param>
+    /// <param name="options">As of the first hit.</param>
+    /// <param name="sides">As of the first hit. Of a solid each triangle is asked, hollow or not.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool RayCastAll(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
-        List<RayHit> hits, float maxDistance = float.PositiveInfinity)
+        List<RayHit> hits, float maxDistance = float.PositiveInfinity, in CastOptions options = default,
+        RaySides sides = RaySides.Both)
     {
         if (hits is null) return false;
         hits.Clear();
-        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, default)) return false;
+        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options, sides)) return false;
         scratch.CastSearch.All = hits;
         PartCastSearch.Run(scratch);
         scratch.CastSearch.All = null;
@@ -92,9 +110,9 @@ public static partial class ConcaveQuery
         return true;
     }
 
-    /// <summary>Where a ray enters and leaves a solid, in turn. Of one that begins inside, the first hit is the way
-    /// out.</summary>
-    /// <param name="solid">A solid.</param>
+    /// <summary>Where a ray enters and leaves a solid or a convex shape, in turn. Of one that begins inside, the first
+    /// hit is the way out.</summary>
+    /// <param name="solid">A solid, or a convex shape, of which there is one way in and one way out at most.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
@@ -102,19 +120,20 @@ public static partial class ConcaveQuery
     /// <param name="hits">Cleared, then one for each crossing, by distance. Its normal looks out of the solid: against
     /// the ray where that enters, along it where that leaves.</param>
     /// <param name="maxDistance">As of the first hit; crossings further away are left out.</param>
-    /// <returns>False when the input is invalid, or the shape is no solid.</returns>
+    /// <returns>False when the input is invalid, or the shape is a surface or a compound.</returns>
     /// <remarks>A crossing is a place where the winding number changes between 0 and another: it is computed without
     /// rounding, between each two distances at which triangles are met that differ as floats. So an edge or corner is
     /// crossed once, one that the ray only touches is not crossed, and the number of crossings of a whole ray is odd if
-    /// the solid contains the origin. A face along which the ray runs counts as inside or as outside, and is crossed
-    /// twice or not. An origin on the surface is where the ray goes from it, and what is thinner than a step of the
-    /// distance's float is passed. Each distance asks once for the winding number, which takes as long as
-    /// <c>Contains</c>.</remarks>
+    /// the solid contains the origin, but of a half-space, which has no far end. A face along which the ray runs
+    /// counts as inside or as outside, and is crossed twice or not. An origin on the surface is where the ray goes from
+    /// it, and what is thinner than a step of the distance's float is passed. Each distance asks once for the winding
+    /// number, which takes as long as <c>Contains</c>.</remarks>
     public static bool RayCrossings(
         in AnyShape solid, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
         List<RayHit> hits, float maxDistance = float.PositiveInfinity)
     {
         if (!RayCastAll(solid, pose, origin, direction, scratch, hits)) return false;
+        if (scratch.A.IsConvex) return CrossConvex(solid.Convex, pose, origin, direction, hits, maxDistance);
         bool isSolid = scratch.A.IsSolid && !float.IsNaN(maxDistance), isIn = false;
         int kept = 0;
         for (int i = -1, next; isSolid && i < hits.Count; i = next)
@@ -124,7 +143,7 @@ public static partial class ConcaveQuery
             for (next = i + 1; next < hits.Count && hits[next].Distance == distance;) next++;
             bool staysIn = next < hits.Count && Containment.HasInside(
                 scratch, scratch.A, origin, direction, 0.5 * ((double)distance + hits[next].Distance));
-            if (i >= 0 && staysIn != isIn && distance <= maxDistance) hits[kept++] = isIn ? hits[i].Exit : hits[i];
+            if (i >= 0 && staysIn != isIn && distance <= maxDistance) hits[kept++] = hits[i].Crossing(isIn);
             isIn = staysIn;
         }
 
@@ -132,9 +151,23 @@ public static partial class ConcaveQuery
         return isSolid;
     }
 
+    /// <summary>Where a ray enters and leaves a convex shape, given the hits with it.</summary>
+    private static bool CrossConvex(
+        in ConvexShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, List<RayHit> hits,
+        float maxDistance)
+    {
+        RayHit first = hits.Count > 0 ? hits[0] : default;
+        RayCastResult exit = first.IsHit ? ConvexQuery.RayExit(shape, pose, origin, direction) : default;
+        bool isIn = first.Status == CastStatus.OverlappingAtStart, isOut = exit.Status == CastStatus.Hit;
+        bool isCrossed = isIn || !isOut || exit.Distance > first.Distance;
+        if (isIn || !isCrossed || first.Distance > maxDistance) hits.Clear();
+        if (isCrossed && isOut && exit.Distance <= maxDistance) hits.Add(new RayHit(exit));
+        return !float.IsNaN(maxDistance);
+    }
+
     private static bool TryBeginRay(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
-        float maxDistance, in CastOptions options)
+        float maxDistance, in CastOptions options, RaySides sides)
     {
         bool isRay = Guard.IsFinite(origin) && Guard.IsFinite(direction) && direction != Vector3.Zero
             && !float.IsNaN(maxDistance);
@@ -142,6 +175,7 @@ public static partial class ConcaveQuery
         scratch.CastSearch.Begin(
             scratch, PartMotion.Ray, new RigidMotion(pose, Vector3.Zero),
             new RigidMotion(new RigidPose(origin), direction), maxDistance, 0, options);
+        scratch.CastSearch.Sides = sides;
         return true;
     }
 }

@@ -47,6 +47,9 @@ internal struct PartCastSearch
     private CastOptions _liftedOptions;
     private bool _isLifted;
 
+    /// <summary>Which sides a ray meets.</summary>
+    public RaySides Sides;
+
     /// <summary>Takes every hit of a ray, where it is not null.</summary>
     public List<RayHit>? All;
 
@@ -227,7 +230,9 @@ internal struct PartCastSearch
         var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
         if (_motion == PartMotion.Ray)
         {
-            RayCastResult met = ConvexQuery.RayCast(a, _a.Pose, _b.Pose.Position, _b.Velocity, most, _options);
+            RayCastResult met = ConvexQuery.RayCast(
+                a, _a.Pose, _b.Pose.Position, _b.Velocity, most, _options, Sides);
+            TriangleBack.Judge(scratch.A, partA, _b.Velocity, Sides, ref met);
             if (All is not null && met.IsHit) All.Add(new RayHit(met, scratch.A.NumberOf(partA)));
             else if (met.IsHit && Take(met.Order, MetFeature.None, partA, partB)) Ray = met;
             return;

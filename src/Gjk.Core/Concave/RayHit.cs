@@ -31,8 +31,8 @@ public readonly struct RayHit : IComparable<RayHit>
     /// <summary>The same with an object of a scene.</summary>
     internal RayHit Of(int id) => new(Result, Part, id);
 
-    /// <summary>The same with the normal of a ray that leaves.</summary>
-    internal RayHit Exit => new(Result.Exit, Part, Id);
+    /// <summary>The same where the ray enters a solid, or leaves it, with the normal of that.</summary>
+    internal RayHit Crossing(bool isExit) => new(isExit ? Result.Exit : Result.On(back: false), Part, Id);
 
     /// <summary>By the distance as it was solved, then by the object, then by the part.</summary>
     public int CompareTo(RayHit other)

@@ -184,6 +184,9 @@ public sealed partial class TriangleMesh
 
     internal bool IsScaled => Scale != Vector3.One;
 
+    /// <summary>-1 where the scale mirrors, so that the corners run the other way round, else 1.</summary>
+    internal int Mirror => Math.Sign(_scale.X) * Math.Sign(_scale.Y) * Math.Sign(_scale.Z);
+
     /// <summary>The corners of a triangle with the scale.</summary>
     internal void GetCorners(int triangle, out Double3 a, out Double3 b, out Double3 c)
     {

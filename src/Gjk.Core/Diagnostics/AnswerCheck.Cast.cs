@@ -64,11 +64,14 @@ public static partial class AnswerCheck
     /// <param name="origin">Where the ray begins.</param>
     /// <param name="direction">Its direction, of any length but 0.</param>
     /// <param name="answer">What was said.</param>
-    /// <returns>Bounds of the distance along the ray to the shape, as for a cast.</returns>
+    /// <returns>Bounds of the distance along the ray to the shape, as for a cast. A way out is not checked:
+    /// <see cref="CheckStatus.Open"/>.</returns>
     public static CheckedAnswer RayCast<T>(
         in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, in RayCastResult answer)
         where T : struct, ISupportMap
     {
+        if (answer.IsBackFace && Double3.Dot(answer.Normal, direction) > 0)
+            return new CheckedAnswer(CheckStatus.Open, 0, double.PositiveInfinity);
         T copy = shape;
         PointShape point = default;
         RigidPose begin = Guard.IsFinite(origin) ? new RigidPose(origin) : default;

@@ -5,6 +5,12 @@ namespace Gjk.Core;
 /// inertia in kg·m². The frame is that of the shape; <see cref="At"/> gives the same in the world.</remarks>
 public readonly struct MassProperties
 {
+    /// <summary>Count: a backstop; some ten turns leave nothing but rounding.</summary>
+    private const int MostTurns = 32;
+
+    /// <summary>Ratio of a product to the spread: 2^-52; less is rounding. Pinned by PrincipalInertiaTests.</summary>
+    private const double NoProduct = 1.0 / (1L << 52);
+
     /// <summary>The integrals of x², y² and z² over the mass, and of xy, xz and yz, about the centre.</summary>
     private readonly Double3 _squares, _products;
 
@@ -41,6 +47,43 @@ public readonly struct MassProperties
     /// <summary>The rest of the inertia tensor about <see cref="Center"/>: its entries xy, xz and yz, which are minus
     /// the integrals of these products over the mass.</summary>
     public Double3 InertiaProducts => -_products;
+
+    /// <summary>The principal moments of inertia about <see cref="Center"/>, and the axes that they are about: the
+    /// form in which physics engines take an inertia.</summary>
+    /// <param name="moments">The moments about the x, y and z axis of the rotated frame, each to a few roundings of the
+    /// largest.</param>
+    /// <param name="axes">The rotation of that frame in this one. An inertia tensor without products keeps its axes:
+    /// the identity, also where moments are equal. Else the moments are in no order.</param>
+    /// <remarks>Jacobi's method ("Über ein leichtes Verfahren ...", 1846): the largest product is turned away until
+    /// none is left. Each step turns the tensor as it was given, so no rounding adds up.</remarks>
+    public void GetPrincipalInertia(out Double3 moments, out Quaternion axes)
+    {
+        QuaternionD turn = QuaternionD.Identity;
+        MassProperties body = this;
+        for (int i = 0; i < MostTurns && body.TryTurn(out QuaternionD next); i++)
+        {
+            turn *= next;
+            turn *= 1 / Math.Sqrt(turn.LengthSquared);
+            body = Turned(turn.Conjugate, Center);
+        }
+
+        moments = body.InertiaDiagonal;
+        axes = new Quaternion((float)turn.X, (float)turn.Y, (float)turn.Z, (float)turn.W);
+    }
+
+    /// <summary>The turn of the axes that leaves nothing of the largest product.</summary>
+    /// <returns>False where it is rounding.</returns>
+    private bool TryTurn(out QuaternionD turn)
+    {
+        Double3 p = _products, s = _squares;
+        double xy = Math.Abs(p.X), xz = Math.Abs(p.Y), yz = Math.Abs(p.Z);
+        bool isZ = xy >= xz && xy >= yz, isX = !isZ && yz >= xz;
+        double product = isZ ? p.X : isX ? p.Z : p.Y;
+        double apart = isZ ? s.X - s.Y : isX ? s.Y - s.Z : s.Z - s.X;
+        double angle = 0.5 * Math.Atan2(apart < 0 ? -2 * product : 2 * product, Math.Abs(apart));
+        turn = QuaternionD.About(new Double3(isX ? 1 : 0, isX || isZ ? 0 : 1, isZ ? 1 : 0), angle);
+        return Math.Abs(product) > NoProduct * s.SumOfMagnitudes;
+    }
 
     /// <summary>Mass, volume, centre and inertia, for people.</summary>
     public override string ToString() =>

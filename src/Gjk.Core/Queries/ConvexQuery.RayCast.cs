@@ -11,6 +11,8 @@ public static partial class ConvexQuery
     /// <param name="maxDistance">World units: how far the ray reaches, +infinity for all the way; less than 0 counts as
     /// 0, which asks whether the origin is inside.</param>
     /// <param name="options">Which contacts are passed; by default none. The depth is that of the point.</param>
+    /// <param name="sides">Which sides are met; by default both, of a solid shape. A ray that begins inside a hollow
+    /// one gets what <c>RayExit</c> says, whatever the options.</param>
     /// <returns>The first point of the ray that is in the closed shape, or <see cref="CastStatus.Miss"/>, or
     /// <see cref="CastStatus.OverlappingAtStart"/> where the origin is inside. The distance is the true one, rounded to
     /// float: within 1e-7 of the size or the way, whichever is larger, however far away the ray begins; the normal is
@@ -24,14 +26,14 @@ public static partial class ConvexQuery
     /// capsules, shapes rounded that are not spheres or capsules then, and flat ones.</remarks>
     public static RayCastResult RayCast<T>(
         in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity,
-        in CastOptions options = default)
+        in CastOptions options = default, RaySides sides = RaySides.Both)
         where T : struct, ISupportMap
     {
         ref T inward = ref PairQuery.Inward(shape);
         var line = new WorldRay(origin, direction, ((Double3)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
         if (hit.Status == CastStatus.OverlappingAtStart || (options.PassesShallow && hit.Status == CastStatus.Hit))
-            return SettleRay(ref inward, pose, line, options, hit);
+            return SettleRay(ref inward, pose, line, options, sides, hit);
         if (hit.Status == CastStatus.Hit)
         {
             return new RayCastResult(
@@ -45,11 +47,11 @@ public static partial class ConvexQuery
     /// <summary>A contact at the origin, or one that may be passed.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static RayCastResult SettleRay<T>(
-        ref T shape, in RigidPose pose, in WorldRay line, in CastOptions options, in RayMeeting hit)
+        ref T shape, in RigidPose pose, in WorldRay line, in CastOptions options, RaySides sides, in RayMeeting hit)
         where T : struct, ISupportMap
     {
         PointShape point = default;
-        bool isStart = hit.Status == CastStatus.OverlappingAtStart;
+        bool isStart = hit.Status == CastStatus.OverlappingAtStart, isHollow = isStart && sides.Has(RaySides.Hollow);
         double fraction = isStart ? 0 : hit.Distance;
         var contact = new SettledContact
         {
@@ -59,8 +61,14 @@ public static partial class ConvexQuery
         };
         Settle(
             ref shape, pose, ref point, new RigidPose((Vector3)line.Origin), line.Direction * (1 / line.Length),
-            fraction, line.Reach, options, ref contact);
+            fraction, line.Reach, isHollow ? default : options, ref contact);
         int iterations = hit.Iterations + contact.Iterations;
+        if (isHollow && contact.Status == CastStatus.OverlappingAtStart)
+        {
+            if (!sides.Has(RaySides.FrontOnly)) return ExitOf(ref shape, pose, line, hit);
+            contact.Status = CastStatus.Miss;
+        }
+
         if (contact.Status is CastStatus.Hit or CastStatus.OverlappingAtStart)
         {
             return new RayCastResult(

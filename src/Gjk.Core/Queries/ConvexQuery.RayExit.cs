@@ -27,19 +27,25 @@ public static partial class ConvexQuery
         where T : struct, ISupportMap
     {
         ref T inward = ref PairQuery.Inward(shape);
-        double reach = Math.Max(maxDistance, 0);
-        var line = new WorldRay(origin, direction, ((Double3)direction).Length, reach);
+        var line = new WorldRay(origin, direction, ((Double3)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
+        return ExitOf(ref inward, pose, line, hit);
+    }
+
+    /// <summary>Where a ray leaves that meets the shape, or begins in it; else what it says.</summary>
+    private static RayCastResult ExitOf<T>(ref T shape, in RigidPose pose, in WorldRay line, RayMeeting hit)
+        where T : struct, ISupportMap
+    {
         if (hit.Status == CastStatus.Hit || hit.Status == CastStatus.OverlappingAtStart)
         {
             int iterations = hit.Iterations;
-            if (HalfSpacePair.Is(ref inward)) FindEnd(ref inward, pose, line, ref hit);
-            else ComeBack(ref inward, pose, line, ref hit);
-            if (hit.Status == CastStatus.Hit && hit.Distance <= reach)
+            if (HalfSpacePair.Is(ref shape)) FindEnd(ref shape, pose, line, ref hit);
+            else ComeBack(ref shape, pose, line, ref hit);
+            if (hit.Status == CastStatus.Hit && hit.Distance <= line.Reach)
             {
                 return new RayCastResult(
                     CastStatus.Hit, hit.Distance, (Vector3)line.At(hit.Distance), (Vector3)hit.Normal,
-                    iterations + hit.Iterations);
+                    iterations + hit.Iterations, isBackFace: true);
             }
 
             if (hit.Status == CastStatus.Hit) hit.Status = CastStatus.Miss;

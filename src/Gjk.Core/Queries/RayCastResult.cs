@@ -6,6 +6,12 @@ public readonly struct RayCastResult
     /// <summary>What was found; see <see cref="CastStatus"/> for which fields are valid.</summary>
     public readonly CastStatus Status;
 
+    /// <summary>Whether the ray meets a back face: it leaves a convex shape there or crosses out of a solid, or it
+    /// meets a triangle of a mesh from the side from which its corners run clockwise. Of a solid mesh the back is
+    /// inside. A scale that mirrors a mesh keeps its front. Triangles that are shapes of their own, or parts of a
+    /// compound, have two fronts.</summary>
+    public readonly bool IsBackFace;
+
     /// <summary>World units along the ray from its origin, rounded to float; 0 where it begins in the shape, the
     /// largest distance at a miss.</summary>
     public readonly float Distance;
@@ -13,7 +19,8 @@ public readonly struct RayCastResult
     /// <summary>The point of the ray at that distance, in the world.</summary>
     public readonly Vector3 Point;
 
-    /// <summary>The unit normal of the shape's surface there, outward. Where the ray begins in the shape it is that of
+    /// <summary>The unit normal of the shape's surface there, outward; of a triangle that a ray is cast against, on the
+    /// side from which the ray comes, front or back. Where the ray begins in the shape it is that of
     /// the nearest point of the surface, the shortest way out.</summary>
     public readonly Vector3 Normal;
 
@@ -29,8 +36,10 @@ public readonly struct RayCastResult
     private readonly double _solved;
 
     internal RayCastResult(
-        CastStatus status, double distance, Vector3 point, Vector3 normal, int iterations, float depth = 0)
+        CastStatus status, double distance, Vector3 point, Vector3 normal, int iterations, float depth = 0,
+        bool isBackFace = false)
     {
+        IsBackFace = isBackFace;
         (Status, Distance, _solved, Depth, Iterations) = (status, (float)distance, distance, depth, iterations);
         Point = point;
         Normal = normal;
@@ -42,8 +51,11 @@ public readonly struct RayCastResult
     /// <summary>By what it is compared with other contacts of the ray.</summary>
     internal ContactOrder Order => new(_solved, Status, Depth);
 
-    /// <summary>The same with the opposite normal.</summary>
-    internal RayCastResult Exit => new(Status, _solved, Point, Opposite.Of(Normal), Iterations, Depth);
+    /// <summary>The same where the ray leaves, with the opposite normal.</summary>
+    internal RayCastResult Exit => new(Status, _solved, Point, Opposite.Of(Normal), Iterations, Depth, true);
+
+    /// <summary>The same with a front or a back.</summary>
+    internal RayCastResult On(bool back) => new(Status, _solved, Point, Normal, Iterations, Depth, back);
 
     /// <summary>True also for a search that ended at its limit, apart up to the distance.</summary>
     internal bool MayHit => IsHit || Status == CastStatus.IterationLimit;
@@ -52,7 +64,7 @@ public readonly struct RayCastResult
     public override string ToString() => Status switch
     {
         CastStatus.Hit => FormattableString.Invariant(
-            $"Hit after {Distance:G9} at {Text(Point)}, normal {Text(Normal)}"),
+            $"Hit after {Distance:G9} at {Text(Point)}, normal {Text(Normal)}{(IsBackFace ? ", back face" : "")}"),
         CastStatus.OverlappingAtStart => FormattableString.Invariant(
             $"{Status} by {Depth:G9}, normal {Text(Normal)}"),
         CastStatus.Miss or CastStatus.IterationLimit => FormattableString.Invariant($"{Status} up to {Distance:G9}"),

@@ -11,13 +11,15 @@ public sealed partial class CollisionScene
     /// the way.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <param name="sides">Which sides are met; by default both, of solid shapes.</param>
     /// <returns>Whether the ray meets an object, or may.</returns>
     /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
     public bool TryFindRayHit(
-        in RayQuery ray, out RayHit hit, in QueryFilter filter = default, in CastOptions options = default)
+        in RayQuery ray, out RayHit hit, in QueryFilter filter = default, in CastOptions options = default,
+        RaySides sides = RaySides.Both)
     {
         CheckRay(ray);
-        var first = new FirstRayHit(_objects, ray, filter, options);
+        var first = new FirstRayHit(_objects, ray, filter, options, sides);
         _phase.Sweep(ray.Path(), ref first);
         hit = first.Hit;
         return hit.Id >= 0;
@@ -29,14 +31,16 @@ public sealed partial class CollisionScene
     /// ends with <see cref="CastStatus.IterationLimit"/> among them.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <param name="sides">Which sides are met; by default both, of solid shapes.</param>
     /// <exception cref="ArgumentException">The ray is a <c>default</c> struct.</exception>
     /// <exception cref="ArgumentNullException">There is no list.</exception>
     public void FindRayHits(
-        in RayQuery ray, List<RayHit> results, in QueryFilter filter = default, in CastOptions options = default)
+        in RayQuery ray, List<RayHit> results, in QueryFilter filter = default, in CastOptions options = default,
+        RaySides sides = RaySides.Both)
     {
         CheckRay(ray);
         Guard.NotNull(results, nameof(results)).Clear();
-        var all = new AllRayHits(_objects, ray, filter, options, results);
+        var all = new AllRayHits(_objects, ray, filter, options, sides, results);
         _phase.Sweep(ray.Path(), ref all);
         InPlaceSort.Sort(results);
     }
@@ -47,18 +51,19 @@ public sealed partial class CollisionScene
     /// <param name="workers">The threads to use; null for the caller's own.</param>
     /// <param name="filter">Which objects are seen; by default all.</param>
     /// <param name="options">Which contacts are passed; by default none.</param>
+    /// <param name="sides">Which sides are met; by default both, of solid shapes.</param>
     /// <exception cref="ArgumentNullException">An array is null.</exception>
     /// <exception cref="ArgumentException">There are fewer results than rays, or a ray is a <c>default</c> struct; the
     /// message names the ray.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public void FindFirstRayHits(
         RayQuery[] rays, RayHit[] results, Workers? workers = null, in QueryFilter filter = default,
-        in CastOptions options = default)
+        in CastOptions options = default, RaySides sides = RaySides.Both)
     {
         RayQuery.Check(rays, results);
         if (_phase.Bounded is DynamicAabbTree tree) tree.UpdateLeaves();
         Workers.Run(
-            workers, new SceneRayJob(_phase, _objects, rays, results, filter, options), rays.Length,
+            workers, new SceneRayJob(_phase, _objects, rays, results, filter, options, sides), rays.Length,
             _objects.Parts.PartLength, CancellationToken.None);
     }
 

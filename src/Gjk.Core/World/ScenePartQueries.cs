@@ -108,18 +108,18 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     }
 
     /// <summary>Where a ray meets an object, convex or not.</summary>
-    public RayHit RayCast(int slot, in RayQuery ray, in CastOptions options)
+    public RayHit RayCast(int slot, in RayQuery ray, in CastOptions options, RaySides sides)
     {
         if (!Has(slot))
         {
             RayCastResult convex = ConvexQuery.RayCast(
-                objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options);
+                objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options, sides);
             return new RayHit(convex);
         }
 
         ConcaveScratch scratch = Rent();
         RayHit found = ConcaveQuery.RayCast(
-            _shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, scratch, ray.MaxDistance, options);
+            _shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, scratch, ray.MaxDistance, options, sides);
         Return(scratch);
         return found;
     }

@@ -4,7 +4,8 @@ namespace Gjk.Core;
 /// <remarks>Each object is asked about the whole ray, never about the part before the best one: what it answers then is
 /// what it answers alone, to the last bit.</remarks>
 internal struct FirstRayHit(
-    SceneObjects objects, in RayQuery ray, in QueryFilter filter, in CastOptions options) : ISweepVisitor
+    SceneObjects objects, in RayQuery ray, in QueryFilter filter, in CastOptions options, RaySides sides)
+    : ISweepVisitor
 {
     /// <summary>What was found; an id of -1 where nothing was.</summary>
     public RayHit Hit = new(RayCastResult.Nothing(CastStatus.Miss, ray.MaxDistance, 0));
@@ -18,7 +19,7 @@ internal struct FirstRayHit(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _filter)) return _limit;
-        Take(objects.Ids[slot], objects.Parts.RayCast(slot, _ray, _options));
+        Take(objects.Ids[slot], objects.Parts.RayCast(slot, _ray, _options, sides));
         return _limit;
     }
 
@@ -37,12 +38,13 @@ internal struct FirstRayHit(
 
 /// <summary>All objects that a ray meets, in no order.</summary>
 internal readonly struct AllRayHits(
-    SceneObjects objects, RayQuery ray, QueryFilter filter, CastOptions options, List<RayHit> hits) : ISweepVisitor
+    SceneObjects objects, RayQuery ray, QueryFilter filter, CastOptions options, RaySides sides, List<RayHit> hits)
+    : ISweepVisitor
 {
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, filter)) return double.PositiveInfinity;
-        RayHit found = objects.Parts.RayCast(slot, ray, options);
+        RayHit found = objects.Parts.RayCast(slot, ray, options, sides);
         if (found.Result.MayHit) hits.Add(found.Of(objects.Ids[slot]));
         return double.PositiveInfinity;
     }
@@ -51,13 +53,13 @@ internal readonly struct AllRayHits(
 /// <summary>The first object that each of many rays meets.</summary>
 internal readonly struct SceneRayJob(
     IBroadPhase phase, SceneObjects objects, RayQuery[] rays, RayHit[] results, QueryFilter filter,
-    CastOptions options) : IPartJob
+    CastOptions options, RaySides sides) : IPartJob
 {
     public void Run(int begin, int end)
     {
         for (int i = begin; i < end; i++)
         {
-            var first = new FirstRayHit(objects, rays[i], filter, options);
+            var first = new FirstRayHit(objects, rays[i], filter, options, sides);
             phase.Sweep(rays[i].Path(), ref first);
             results[i] = first.Hit;
         }

@@ -7,6 +7,7 @@ namespace Gjk.Core.Tests.Concave;
 /// 2^-20 to 2^20 in size.</summary>
 public class RayCrossingTests
 {
+    private static readonly RigidPose Here = RigidPose.Identity;
     private readonly ConcaveScratch _scratch = new();
     private readonly List<RayHit> _hits = [], _all = [];
 
@@ -85,7 +86,8 @@ public class RayCrossingTests
         TriangleMesh box = Solids.Box(-Vector3.One, Vector3.One);
         Assert.False(Ask(box, new Vector3(0, 0, -3), default));
         Assert.False(Ask(box, new Vector3(0, 0, -3), Vector3.UnitZ, float.NaN));
-        foreach (AnyShape shape in new[] { AnyShape.Surface(box), AnyShape.Of(ConvexShape.Sphere(1)), default })
+        var pair = new CompoundShape([new(ConvexShape.Sphere(1), Here), new(ConvexShape.Sphere(2), Here)]);
+        foreach (AnyShape shape in new[] { AnyShape.Surface(box), AnyShape.Of(pair), default })
         {
             Assert.False(ConcaveQuery.RayCrossings(
                 shape, RigidPose.Identity, new Vector3(0, 0, -3), Vector3.UnitZ, _scratch, _hits));

@@ -36,7 +36,7 @@ public class UndecidedHitTests
     public void ARayThatIsUndecidedBeforeTheFirstHitIsTold()
     {
         var ray = new RayQuery(Vector3.Zero, Vector3.UnitX, 9);
-        var first = new FirstRayHit(null!, ray, default, default);
+        var first = new FirstRayHit(null!, ray, default, default, RaySides.Both);
         first.Take(7, new RayHit(new RayCastResult(CastStatus.Hit, 4, Vector3.One, -Vector3.UnitX, 0)));
         first.Take(9, new RayHit(RayCastResult.Nothing(CastStatus.IterationLimit, 2, 128)));
         Assert.Equal((9, CastStatus.IterationLimit, 2f), (first.Hit.Id, first.Hit.Status, first.Hit.Distance));
