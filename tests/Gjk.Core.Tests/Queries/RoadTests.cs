@@ -7,9 +7,9 @@ namespace Gjk.Core.Tests.Queries;
 /// walks the stack that it is asked on.</summary>
 public class RoadTests
 {
-    /// <summary>Frames from the verb to what asks a core for its support, both included, without any
-    /// inlining.</summary>
-    private const int MostFrames = 8;
+    /// <summary>Frames from the verb to what asks a core for its support, both included, without any inlining: seven to
+    /// the loop, two from there.</summary>
+    private const int MostFrames = 9;
 
     /// <summary>The types on the road, each in the file of its name, top to bottom.</summary>
     private static readonly string[] Road =
