@@ -33,9 +33,10 @@ public static partial class ConvexQuery
     }
 
     /// <summary>Where a ray leaves that meets the shape, or begins in it; else what it says.</summary>
-    private static RayCastResult ExitOf<T>(ref T shape, in RigidPose pose, in WorldRay line, RayMeeting hit)
+    private static RayCastResult ExitOf<T>(ref T shape, in RigidPose pose, in WorldRay line, in RayMeeting met)
         where T : struct, ISupportMap
     {
+        RayMeeting hit = met;
         if (hit.Status == CastStatus.Hit || hit.Status == CastStatus.OverlappingAtStart)
         {
             int iterations = hit.Iterations;
