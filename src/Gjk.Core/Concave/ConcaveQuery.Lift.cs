@@ -46,26 +46,23 @@ public static partial class ConcaveQuery
     /// <summary>What takes the place of a hit with the seam of parts that B has been passing: the contact with their
     /// surface.</summary>
     private static CastHit OffSeam(
-        ConcaveScratch scratch, in RigidMotion a, in RigidMotion b, float maxFraction, in CastHit hit)
+        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
+        float tolerance, in CastOptions options, in CastHit hit)
     {
-        if (!hit.IsHit) return hit;
-        Double3 way = (Double3)b.Velocity - a.Velocity;
-        RigidPose at = new(b.Pose.Rotation, (Vector3)((Double3)b.Pose.Position + way * hit.Fraction));
-        var still = new RigidMotion(a.Pose, Vector3.Zero);
-        scratch.B.Pose = at;
-        CastResult start = Move(
-            scratch, PartMotion.Cast, still, new RigidMotion(at, Vector3.Zero), 0, 0, default).Result;
-        scratch.B.Pose = b.Pose;
-        float rounding = UnionLift.RoundingOf(a.Pose) + UnionLift.RoundingOf(at);
-        if (!UnionLift.TryLeave(hit.Result, start, (Vector3)way, rounding, 1, ref at)) return hit;
-        scratch.B.Pose = at;
+        PartSide sideA = scratch.A, sideB = scratch.B;
+        CastHit first = Move(scratch, motion, a, b, maxFraction, tolerance, default);
+        RigidPose atA = PartAdvancement.PoseAt(a, hit.Fraction), atB = PartAdvancement.PoseAt(b, hit.Fraction);
+        double room = UnionLift.RoundingOf(atA) + UnionLift.RoundingOf(atB);
+        if (motion == PartMotion.Impact) room += scratch.CastSearch.TouchRoom;
+        Double3 point = first.Result.Point;
+        Double3 way = b.VelocityOf(point, first.Fraction) - a.VelocityOf(point, first.Fraction);
+        if (!UnionLift.TryLeave(hit.Result, first.Result, way, options, room, 1, ref atB)) return hit;
+        (sideA.Pose, sideB.Pose) = (atA, atB);
         CastResult above = Move(
-            scratch, PartMotion.Cast, still, new RigidMotion(at, (Vector3)way), maxFraction - hit.Fraction, 0,
-            default).Result;
-        scratch.B.Pose = b.Pose;
-        return UnionLift.IsFlush(above, start)
-            ? UnionLift.OfSurface(hit, start, Move(scratch, PartMotion.Cast, a, b, maxFraction, 0, default))
-            : hit;
+            scratch, motion, new RigidMotion(atA, a.Velocity, a.AngularVelocity),
+            new RigidMotion(atB, b.Velocity, b.AngularVelocity), maxFraction - hit.Fraction, tolerance, default).Result;
+        (sideA.Pose, sideB.Pose) = (a.Pose, b.Pose);
+        return UnionLift.IsFlush(above, first.Result) ? first : hit;
     }
 
     /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's

@@ -41,30 +41,28 @@ internal static class UnionLift
     /// than is allowed, and what it gets deeper by in short steps adds up.</summary>
     public static CastOptions Within(float rounding) => CastOptions.OnlyDeeper(rounding);
 
-    /// <summary>Whether a hit may be with a seam: the body goes deeper there into something that it passes, which
-    /// looks another way. It is moved out of that, and a little further.</summary>
+    /// <summary>Whether a hit may be with a seam: the body goes deeper all the way into a surface that it has met
+    /// before and passes. It is moved out of that, and a little further.</summary>
     /// <param name="hit">On the way.</param>
-    /// <param name="start">What a cast says of the body at rest where it is hit.</param>
-    /// <param name="way">The motion of the body, which takes it further in.</param>
-    /// <param name="rounding">World units, of both poses.</param>
-    /// <param name="sign">1 for B, -1 for A.</param>
-    /// <param name="pose">Of the body, there.</param>
+    /// <param name="first">The first contact of all: with the surface, as its seams come later.</param>
+    /// <param name="way">How the body moves there, seen from the other.</param>
+    /// <param name="options">What is passed.</param>
+    /// <param name="room">World units: what the poses and the contacts may be off by.</param>
+    /// <param name="sign">1 where the body is B, -1 where it is A.</param>
+    /// <param name="pose">Of the body where it is hit.</param>
     public static bool TryLeave(
-        in CastResult hit, in CastResult start, Vector3 way, float rounding, float sign, ref RigidPose pose)
+        in CastResult hit, in CastResult first, in Double3 way, in CastOptions options, double room, float sign,
+        ref RigidPose pose)
     {
-        float room = 2 * rounding;
-        bool isIn = start.Status == CastStatus.OverlappingAtStart && start.Depth > room
-            && sign * Vector3.Dot(way, start.Normal) < 0;
-        Vector3 moved = pose.Position + sign * (start.Depth + room) * start.Normal;
-        if (!isIn || hit.Normal == start.Normal || !Guard.IsFinite(moved)) return false;
+        double rate = -sign * Double3.Dot(way, first.Normal), between = (double)hit.Fraction - first.Fraction;
+        double deep = first.Depth + rate * between + 2 * room;
+        var moved = (Vector3)((Double3)pose.Position + (Double3)first.Normal * (sign * deep));
+        bool isIn = first.IsHit && rate > 0 && between >= 0
+            && deep <= 2 * Math.Max(options.AllowedDepth, first.Depth) + 4 * room;
+        if (!isIn || hit.Normal == first.Normal || !Guard.IsFinite(moved)) return false;
         pose = new RigidPose(pose.Rotation, moved);
         return true;
     }
-
-    /// <summary>The contact in place of a hit with a seam: the first one, if it is with the surface that the body is
-    /// in.</summary>
-    public static CastHit OfSurface(in CastHit hit, in CastResult start, in CastHit first) =>
-        first.IsHit && first.Fraction <= hit.Fraction && IsSameWay(first.Result, start) ? first : hit;
 
     /// <summary>Whether what is met from outside of the surface is that surface, or nothing.</summary>
     public static bool IsFlush(in CastResult above, in CastResult start) => !above.MayHit || IsSameWay(above, start);

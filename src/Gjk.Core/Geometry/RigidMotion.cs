@@ -28,5 +28,9 @@ public readonly struct RigidMotion
         AngularVelocity = Guard.Finite(angularVelocity, nameof(angularVelocity));
     }
 
+    /// <summary>World units per fraction 1: how a point of the shape moves that is somewhere at a fraction.</summary>
+    internal Double3 VelocityOf(in Double3 point, float fraction) => (Double3)Velocity
+        + Double3.Cross(AngularVelocity, point - ((Double3)Pose.Position + (Double3)Velocity * fraction));
+
     internal bool IsValid => Pose.IsValid && Guard.IsFinite(Velocity) && Guard.IsFinite(AngularVelocity);
 }

@@ -76,8 +76,11 @@ internal struct HalfSpaceMotion
     public void Follow<T>(ref T other, double allowed, ref Impact impact)
         where T : struct, ISupportMap
     {
+        // Beside far more than they can get to, the gaps would be lost.
         double depth = impact.Fraction > 0 ? 0 : -_pair.Gap;
-        double shrunk = Math.Max(allowed, depth) + _tolerance + _accepted;
+        double deepest = Fastest(impact.Fraction) * (_end - impact.Fraction)
+            + Math.Abs(Look(ref other, impact.Fraction, 0).Gap);
+        double shrunk = Math.Max(Math.Min(allowed, deepest), depth) + _tolerance + _accepted;
         _motion.B.Measure(ref other, MeasuredDirections);
         while (true)
         {
@@ -168,8 +171,7 @@ internal struct HalfSpaceMotion
         where T : struct, ISupportMap
     {
         const int mostLooks = 32, further = 4;
-        double fastest = _motion.Speed + _motion.A.Rate * (_motion.Between(plane.Start).Length + _motion.B.Reach);
-        double step = Math.Max(outside - plane.Gap, _floor) / fastest;
+        double step = Math.Max(outside - plane.Gap, _floor) / Fastest(plane.Start);
         next = plane.Start;
         for (int look = 0; look < mostLooks && next < _end; look++, step *= further)
         {
@@ -181,6 +183,10 @@ internal struct HalfSpaceMotion
 
         return next >= _end;
     }
+
+    /// <summary>No gap changes faster from a fraction on.</summary>
+    private readonly double Fastest(double from) => _motion.Speed
+        + _motion.A.Rate * (Math.Max(_motion.Between(from).Length, _motion.Between(_end).Length) + _motion.B.Reach);
 
     private readonly double GapAt<T>(ref T other, double fraction)
         where T : struct, ISupportMap

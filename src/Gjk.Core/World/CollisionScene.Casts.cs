@@ -27,7 +27,7 @@ public sealed partial class CollisionScene
         MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
         hit = First(moving, maxFraction);
         if (options.PassesShallow && hit.IsHit)
-            hit = OffSeam(moving, pose, maxFraction, hit);
+            hit = OffSeam(moving, pose, maxFraction, options, hit);
         return hit.Id >= 0;
     }
 
@@ -40,16 +40,15 @@ public sealed partial class CollisionScene
 
     /// <summary>What takes the place of a hit with the seam of objects that the shape has been passing: the contact
     /// with their surface.</summary>
-    private CastHit OffSeam(in MovingShape moving, in RigidPose pose, float maxFraction, in CastHit hit)
+    private CastHit OffSeam(
+        in MovingShape moving, in RigidPose pose, float maxFraction, in CastOptions options, in CastHit hit)
     {
+        CastHit first = First(moving.StoppedAfter(0, pose), maxFraction);
         RigidPose at = moving.PoseAt(hit.Fraction);
-        CastResult start = First(moving.RestingAt(at), 0).Result;
-        float rounding = UnionLift.RoundingOf(at);
-        if (!UnionLift.TryLeave(hit.Result, start, moving.Translation, rounding, -1, ref at)) return hit;
+        float room = UnionLift.RoundingOf(at);
+        if (!UnionLift.TryLeave(hit.Result, first.Result, moving.Translation, options, room, -1, ref at)) return hit;
         CastResult above = First(moving.StoppedAfter(hit.Fraction, at), maxFraction - hit.Fraction).Result;
-        return UnionLift.IsFlush(above, start)
-            ? UnionLift.OfSurface(hit, start, First(moving.StoppedAfter(0, pose), maxFraction))
-            : hit;
+        return UnionLift.IsFlush(above, first.Result) ? first : hit;
     }
 
     /// <summary>All objects that a shape meets when it is translated, as it would without the others.</summary>

@@ -96,6 +96,31 @@ public class TouchingImpactTests
         Assert.True(Math.Min(stopped, missed) > 0.2 * count, $"{stopped} {missed}");
     }
 
+    /// <summary>However much more is allowed than the bodies could get into each other, they go on.</summary>
+    [Theory]
+    [InlineData(1e6f)]
+    [InlineData(1e15f)]
+    [InlineData(1e20f)]
+    [InlineData(float.MaxValue)]
+    public void WhatIsAllowedMoreThanCanBePasses(float allowed)
+    {
+        ConvexShape[] others =
+        [
+            ConvexShape.Box(new Vector3(0.5f)), Floor, ConvexShape.Sphere(0.5f),
+            ConvexShape.HalfSpace(Vector3.UnitY, 0.8f),
+        ];
+        for (int i = 0; i < 60; i++)
+        {
+            var rng = new Rng((ulong)i);
+            ConvexShape other = others[i % others.Length], shape = ConvexShape.Capsule(0.3f, 0.4f);
+            var pose = new RigidPose(rng.Rotation(), rng.Vector(-0.6f, 0.6f));
+            var motion = new RigidMotion(pose, rng.Vector(-1, 1), rng.Vector(-2, 2));
+            var options = CastOptions.OnlyDeeper(allowed);
+            CastResult r = ConvexQuery.TimeOfImpact(other, Still, shape, motion, 0, 1, options);
+            Assert.True(r.Status == CastStatus.Miss && r.Fraction == 1, $"{i}: {r}");
+        }
+    }
+
     /// <summary>Bodies that spin within each other ask for few signed distances: planes that are kept stand in for
     /// them.</summary>
     [Fact]

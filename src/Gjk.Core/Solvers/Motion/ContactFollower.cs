@@ -75,7 +75,10 @@ internal static class ContactFollower<TA, TB>
                 if (shrunk == 0)
                 {
                     double depth = interval.Begin > 0 ? 0 : -gap;
-                    shrunk = Math.Max(allowed, depth) + tolerance + accepted + DepthRoom * state.DepthNoise;
+
+                    // No depth is above the radii; beside far more than that the gaps would be lost.
+                    shrunk = Math.Max(Math.Min(allowed, frame.Radius), depth) + tolerance + accepted
+                        + DepthRoom * state.DepthNoise;
                 }
 
                 asked = gap + shrunk;
