@@ -28,6 +28,18 @@ public static partial class ConcaveQuery
         if (contacts is null) return false;
         contacts.Clear();
         if (scratch is null) return false;
+        if (!PairOrder.IsExchanged(a, poseA, b, poseB))
+            return FindInOrder(a, poseA, b, poseB, maxGap, scratch, contacts);
+        bool isValid = FindInOrder(b, poseB, a, poseA, maxGap, scratch, contacts);
+        for (int i = 0; i < contacts.Count; i++) contacts[i] = contacts[i].Swapped;
+        InPlaceSort.Sort(contacts);
+        return isValid;
+    }
+
+    private static bool FindInOrder(
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,
+        List<PairContacts> contacts)
+    {
         List<PairDistance> pairs = scratch.Pairs;
         if (!FindPairsWithin(a, poseA, b, poseB, maxGap, scratch, pairs)) return false;
         if (scratch.A.IsEndless || scratch.B.IsEndless)
