@@ -21,7 +21,10 @@ public static unsafe partial class ConvexQuery
     /// what is shared can (as measured over random faces, and 99 % on the average). Shapes whose face, edge or corner
     /// there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of deepest points. Every
     /// pair of points lies along the manifold's normal.</param>
-    /// <returns>As <c>SignedDistance</c> gives it, bit for bit, if the gap is a number.</returns>
+    /// <returns>As <c>SignedDistance</c> gives it of the pair or, exchanged, of the exchanged pair, bit for bit, if the
+    /// gap is a number.</returns>
+    /// <remarks>The pair (B, A) has the result and the points of (A, B), exchanged, to the last bit; only shapes of one
+    /// size and margin in the very same pose, which no order tells apart, may differ.</remarks>
     public static DistanceResult Contacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, out ContactManifold manifold)
         where TA : struct, ISupportMap
