@@ -30,13 +30,20 @@ public static partial class ConcaveQuery
         if (contacts is null) return false;
         contacts.Clear();
         if (scratch is null) return false;
-        if (!PairOrder.IsExchanged(a, poseA, b, poseB))
+        if (!PairOrder.IsExchanged(SizeOf(a), RankOf(a), poseA, SizeOf(b), RankOf(b), poseB))
             return FindInOrder(a, poseA, b, poseB, maxGap, scratch, contacts);
         bool isValid = FindInOrder(b, poseB, a, poseA, maxGap, scratch, contacts);
         for (int i = 0; i < contacts.Count; i++) contacts[i] = contacts[i].Swapped;
         InPlaceSort.Sort(contacts);
         return isValid;
     }
+
+    private static double SizeOf(in AnyShape shape) =>
+        shape.Mesh?.Tree.Radius ?? shape.Compound?.Tree.Radius ?? AnyShape.ConvexOf(shape).BoundingRadius;
+
+    private static double RankOf(in AnyShape shape) => shape.Kind == AnyShapeKind.Convex
+        ? AnyShape.ConvexOf(shape).Margin
+        : (double)shape.PartCount * (int)shape.Kind;
 
     private static bool FindInOrder(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,
