@@ -19,7 +19,9 @@ public static partial class ConcaveQuery
     /// convex edge each triangle has the contact; an edge of three triangles or more counts as all of them show it. An
     /// open surface has two sides; a solid pushes outward only. Of parts that overlap each pair has a contact, or the
     /// push of another one takes it apart, but for a few of a solid that is in the other shape at several places. A
-    /// manifold's first point is its deepest. On a half-space each part in reach has its contact.</param>
+    /// manifold's first point is its deepest. On a half-space each part in reach has its contact. The pair (B, A)
+    /// has the contacts of (A, B), exchanged, to the last bit, but where the two are of one size in the very same
+    /// pose.</param>
     /// <returns>False when the input is invalid.</returns>
     public static bool FindContacts(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,
@@ -28,6 +30,25 @@ public static partial class ConcaveQuery
         if (contacts is null) return false;
         contacts.Clear();
         if (scratch is null) return false;
+        if (!PairOrder.IsExchanged(SizeOf(a), RankOf(a), poseA, SizeOf(b), RankOf(b), poseB))
+            return FindInOrder(a, poseA, b, poseB, maxGap, scratch, contacts);
+        bool isValid = FindInOrder(b, poseB, a, poseA, maxGap, scratch, contacts);
+        for (int i = 0; i < contacts.Count; i++) contacts[i] = contacts[i].Swapped;
+        InPlaceSort.Sort(contacts);
+        return isValid;
+    }
+
+    private static double SizeOf(in AnyShape shape) =>
+        shape.Mesh?.Tree.Radius ?? shape.Compound?.Tree.Radius ?? AnyShape.ConvexOf(shape).BoundingRadius;
+
+    private static double RankOf(in AnyShape shape) => shape.Kind == AnyShapeKind.Convex
+        ? AnyShape.ConvexOf(shape).Margin
+        : (double)shape.PartCount * (int)shape.Kind;
+
+    private static bool FindInOrder(
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, float maxGap, ConcaveScratch scratch,
+        List<PairContacts> contacts)
+    {
         List<PairDistance> pairs = scratch.Pairs;
         if (!FindPairsWithin(a, poseA, b, poseB, maxGap, scratch, pairs)) return false;
         if (scratch.A.IsEndless || scratch.B.IsEndless)

@@ -117,7 +117,7 @@ internal static class CoveredSides
         ContactPlane plane = default;
         ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref plane, out ContactManifold manifold);
         if (way.LengthSquared == 0 || plane.Normal.LengthSquared == 0) return false;
-        ConvexQuery.ContactsAlong(a, poseA, b, isA ? way : -way, maxGap, ref plane, out manifold);
+        ConvexQuery.ContactsAlong(a, poseA, b, poseB, isA ? way : -way, maxGap, ref plane, out manifold);
         ManifoldPoint tip = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
         if (!(tip.Gap < 0)) return false;
         if (manifold.Count == 0 && IsOn(isA ? a : b, tip.LocalPointA))

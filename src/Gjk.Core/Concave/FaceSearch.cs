@@ -135,7 +135,8 @@ internal ref struct FaceSearch
         ContactManifold manifold = default;
         if (_plane.Normal.LengthSquared == 0) return manifold;
         ContactPlane plane = _plane;
-        ConvexQuery.ContactsAlong(shapeA, _scratch.A.Pose, shapeB, direction, _maxGap, ref plane, out manifold);
+        ConvexQuery.ContactsAlong(
+            shapeA, _scratch.A.Pose, shapeB, _scratch.B.Pose, direction, _maxGap, ref plane, out manifold);
         return manifold;
     }
 

@@ -96,7 +96,7 @@ internal static class FlushSides
         ContactPlane plane = default;
         ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref plane, out ContactManifold manifold);
         if (plane.Normal.LengthSquared == 0) return false;
-        ConvexQuery.ContactsAlong(a, poseA, b, isA ? way : -way, maxGap, ref plane, out manifold);
+        ConvexQuery.ContactsAlong(a, poseA, b, poseB, isA ? way : -way, maxGap, ref plane, out manifold);
         ManifoldPoint tip = isA ? CoveredSides.Tip(a, poseA, b, poseB, way) : CoveredSides.Tip(b, poseB, a, poseA, way);
         if (manifold.Count == 0 && tip.Gap <= Math.Max(maxGap, 0) && CoveredSides.IsOn(isA ? a : b, tip.LocalPointA))
             manifold.Add(isA ? tip : tip.Swapped);

@@ -33,6 +33,9 @@ public readonly struct PairContacts : IComparable<PairContacts>
     /// <summary>The same with two objects of a scene.</summary>
     internal PairContacts Of(ObjectPair pair) => new(PartA, PartB, Result, Manifold, pair);
 
+    /// <summary>The same of two shapes that are none of a scene's, with A and B exchanged.</summary>
+    internal PairContacts Swapped => new(PartB, PartA, Result.Swapped, Manifold.Swapped);
+
     /// <summary>By the objects, then by the part of A, then by that of B.</summary>
     public int CompareTo(PairContacts other)
     {

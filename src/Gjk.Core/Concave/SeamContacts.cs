@@ -31,7 +31,7 @@ internal static class SeamContacts
             shapeA, a.Pose, shapeB, b.Pose, maxGap, ref plane, out ContactManifold manifold);
         if (manifold.Count == 0) return;
         Double3 normal = plane.Normal.LengthSquared > 0
-            ? plane.Frame.RotationA.Rotate(plane.Normal)
+            ? plane.NormalOfQuery
             : (Double3)result.Normal;
         ContactFit fitA = Judge(a, pair.PartA, normal), fitB = Judge(b, pair.PartB, -normal);
         if (!a.IsConvex || !b.IsConvex) DeepestPoint.Lead(ref manifold);

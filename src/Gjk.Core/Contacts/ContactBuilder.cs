@@ -107,8 +107,9 @@ internal static unsafe class ContactBuilder
             localB = frame.OutOfB(localB.ToXyz()).ToDouble3();
         }
 
-        return new ManifoldPoint(
+        var point = new ManifoldPoint(
             (Vector3)worldA, (Vector3)worldB, (Vector3)localA, (Vector3)localB, Math.Max((float)gap, distance),
             candidate.Id);
+        return plane.IsExchanged ? point.Swapped : point;
     }
 }

@@ -23,7 +23,7 @@ internal static class ContactFeature
     public static long Of(uint a, uint b) => (long)((ulong)a << Half | b);
 
     /// <summary>Whether one number comes before another: by their smaller halves, then by their larger ones, so that
-    /// the order of most points is that of the exchanged pair, then by A's.</summary>
+    /// that of most points stays where bodies move and <see cref="PairOrder"/> changes, then by A's.</summary>
     public static bool IsBefore(long one, long other)
     {
         uint a = (uint)(one >> Half & LowerHalf), b = (uint)(one & LowerHalf);

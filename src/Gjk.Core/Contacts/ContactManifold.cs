@@ -16,8 +16,8 @@ public struct ContactManifold
     public Vector3 Normal { get; private set; }
 
     /// <summary>A point. Those of two convex shapes are in an order of their <see cref="ManifoldPoint.FeatureId"/>s,
-    /// by the lesser half and then by the greater one, so that it stays from frame to frame and hardly changes when A
-    /// and B are exchanged; one of them is the deepest, or as deep to within 1e-6 of the size. Those of parts of other
+    /// by the lesser half and then by the greater one, so that it stays from frame to frame; the exchanged pair has
+    /// the same order. One of them is the deepest, or as deep to within 1e-6 of the size. Those of parts of other
     /// shapes have the deepest first. Know a point again by its id, not by its place.</summary>
     /// <param name="index">From 0 to <see cref="Count"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>

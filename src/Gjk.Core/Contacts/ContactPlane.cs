@@ -16,6 +16,9 @@ internal struct ContactPlane
     /// <summary>How far the cores are apart along the normal; negative when they overlap.</summary>
     public double CoreDistance;
 
+    /// <summary>Whether A here is B of the query (<see cref="PairOrder"/>).</summary>
+    public bool IsExchanged;
+
     /// <summary>Of the pair: what lengths are relative to.</summary>
     public double Size;
 
@@ -39,6 +42,16 @@ internal struct ContactPlane
     /// <summary>The same where A's centre is the deepest point.</summary>
     public void Set(in Double3 normal, double coreDistance, double size) =>
         (Normal, OnA, CoreDistance, Size) = (normal, default, coreDistance, size);
+
+    /// <summary>From A to B of the query, in the world.</summary>
+    public readonly Double3 NormalOfQuery
+    {
+        get
+        {
+            Double3 normal = Frame.RotationA.Rotate(Normal);
+            return IsExchanged ? -normal : normal;
+        }
+    }
 
     /// <summary>Whether no deepest point is known along the normal.</summary>
     public readonly bool IsOpen => double.IsNegativeInfinity(CoreDistance);

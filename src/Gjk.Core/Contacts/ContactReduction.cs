@@ -6,8 +6,8 @@ namespace Gjk.Core;
 /// one takes the place of another, with a name of its own: the others, and their names, stay. Of a round outline, whose
 /// corners are not bodies' own, a name stands for a quarter, so that a can that rocks on its rim and touches everywhere
 /// in turn keeps its four (<see cref="QuarterNames"/>).</para>
-/// <para>The points are sorted by name, so that their order stays too. A and B count alike, so that the order is that
-/// of the exchanged pair.</para>
+/// <para>The points are sorted by name, so that their order stays too. A and B count alike, so that it stays
+/// where <see cref="PairOrder"/> changes.</para>
 /// </remarks>
 internal static unsafe class ContactReduction
 {

@@ -21,7 +21,10 @@ public static unsafe partial class ConvexQuery
     /// what is shared can (as measured over random faces, and 99 % on the average). Shapes whose face, edge or corner
     /// there is unknown or round (spheres, ellipsoids, those that show none) have the one pair of deepest points. Every
     /// pair of points lies along the manifold's normal.</param>
-    /// <returns>As <c>SignedDistance</c> gives it, bit for bit, if the gap is a number.</returns>
+    /// <returns>As <c>SignedDistance</c> gives it of the pair or, exchanged, of the exchanged pair, bit for bit, if the
+    /// gap is a number.</returns>
+    /// <remarks>The pair (B, A) has the result and the points of (A, B), exchanged, to the last bit; only shapes of one
+    /// size and margin in the very same pose, which no order tells apart, may differ.</remarks>
     public static DistanceResult Contacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, out ContactManifold manifold)
         where TA : struct, ISupportMap
@@ -79,24 +82,55 @@ public static unsafe partial class ConvexQuery
     /// <param name="a">The first shape.</param>
     /// <param name="poseA">Its pose.</param>
     /// <param name="b">The second shape.</param>
+    /// <param name="poseB">Its pose.</param>
     /// <param name="normal">From A to B, of unit length, in the world.</param>
     /// <param name="maxGap">Points further apart along it are left out.</param>
     /// <param name="plane">Where the contact is; its normal becomes the other one.</param>
     /// <param name="manifold">Gets the points; none where the two show no more than a corner.</param>
     internal static void ContactsAlong(
-        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in Double3 normal, float maxGap,
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, in Double3 normal, float maxGap,
         ref ContactPlane plane, out ContactManifold manifold)
     {
         manifold = default;
         manifold.Begin((Vector3)normal);
+        if (plane.IsExchanged) AddAlong(b, poseB, a, -normal, maxGap, ref plane, ref manifold);
+        else AddAlong(a, poseA, b, normal, maxGap, ref plane, ref manifold);
+        if (manifold.Count == 0) manifold.Clear();
+    }
+
+    private static void AddAlong(
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in Double3 normal, float maxGap,
+        ref ContactPlane plane, ref ContactManifold manifold)
+    {
         plane.SetAlong(plane.Frame.RotationA.InverseRotate(normal));
         ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(a) : a;
         ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(b) : b;
         TryAddFaces(ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
-        if (manifold.Count == 0) manifold.Clear();
     }
 
+    /// <summary>Asks in the order that <see cref="PairOrder"/> has.</summary>
     private static void AskContacts<TA, TB>(
+        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
+        ContactPlane* plane, ref ContactManifold manifold, out DistanceResult result)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+    {
+        plane->IsExchanged =
+            PairOrder.IsExchanged(ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), poseB);
+        if (!plane->IsExchanged)
+        {
+            AskInOrder(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out result);
+            return;
+        }
+
+        if (warm != null) warm->Exchange();
+        AskInOrder(b, poseB, a, poseA, maxGap, warm, plane, ref manifold, out result);
+        if (warm != null) warm->Exchange();
+        DistanceResult.Exchange(ref result);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void AskInOrder<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
         ContactPlane* plane, ref ContactManifold manifold, out DistanceResult result)
         where TA : struct, ISupportMap
@@ -112,35 +146,22 @@ public static unsafe partial class ConvexQuery
             return;
         }
 
-        manifold.Begin(result.Normal);
+        manifold.Begin(plane->IsExchanged ? Opposite.Of(result.Normal) : result.Normal);
         bool isKnown = plane->Normal.LengthSquared > 0;
-        if (isKnown && (HalfSpacePair.Is(ref PairQuery.Inward(a)) || HalfSpacePair.Is(ref PairQuery.Inward(b))))
-            AddPointsOnHalfSpace(a, poseA, b, poseB, ref *plane, result, mostGap, ref manifold);
+        if (isKnown && HalfSpacePair.Is(ref PairQuery.Inward(a)))
+        {
+            var patch = new HalfSpacePatch(plane->Normal, plane->Size);
+            AddPlacedPoints(patch, poseA, b, ref *plane, result, mostGap, ref manifold);
+        }
         else if (isKnown && plane->Frame.IsPlaced)
+        {
             AddPlacedPoints(a, poseA, b, ref *plane, result, mostGap, ref manifold);
+        }
         else
+        {
             AddPoints(
                 ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), ref *plane, result, mostGap, ref manifold);
-    }
-
-    /// <summary>The points that a shape has on a half-space, which is A of the plane in either order.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void AddPointsOnHalfSpace<TA, TB>(
-        in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, ref ContactPlane plane, in DistanceResult result,
-        float maxGap, ref ContactManifold manifold)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        var patch = new HalfSpacePatch(plane.Normal, plane.Size);
-        if (HalfSpacePair.Is(ref PairQuery.Inward(a)))
-        {
-            AddPlacedPoints(patch, poseA, b, ref plane, result, maxGap, ref manifold);
-            return;
         }
-
-        ContactManifold swapped = manifold.Swapped;
-        AddPlacedPoints(patch, poseB, a, ref plane, result.Swapped, maxGap, ref swapped);
-        manifold = swapped.Swapped;
     }
 
     /// <summary>The same for shapes of which one is placed, without the placement.</summary>
@@ -165,9 +186,9 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         if (TryAddFaces(ref a, poseA, ref b, ref plane, result.Distance, maxGap, ref manifold, out long id)) return;
-        manifold.Add(
-            new ManifoldPoint(
-                result.PointA, result.PointB, result.LocalPointA, result.LocalPointB, result.Distance, id));
+        var point = new ManifoldPoint(
+            result.PointA, result.PointB, result.LocalPointA, result.LocalPointB, result.Distance, id);
+        manifold.Add(plane.IsExchanged ? point.Swapped : point);
     }
 
     /// <summary>Adds what two faces or edges share; if they share nothing, only the corners have a name.</summary>

@@ -89,8 +89,27 @@ public readonly struct DistanceResult
     public bool IsOverlapping => Status == GjkStatus.Overlapping;
 
     /// <summary>The same answer with A and B exchanged.</summary>
-    public DistanceResult Swapped => new(
-        Status, Distance, LowerBound, PointB, PointA, Opposite.Of(Normal), LocalPointB, LocalPointA, Iterations);
+    public DistanceResult Swapped
+    {
+        get
+        {
+            DistanceResult swapped = this;
+            Exchange(ref swapped);
+            return swapped;
+        }
+    }
+
+    /// <summary>Exchanges A and B.</summary>
+    internal static unsafe void Exchange(ref DistanceResult result)
+    {
+        fixed (DistanceResult* same = &result)
+        {
+            var to = (Fields*)same;
+            (to->PointA, to->PointB) = (to->PointB, to->PointA);
+            (to->LocalPointA, to->LocalPointB) = (to->LocalPointB, to->LocalPointA);
+            to->Normal = Opposite.Of(to->Normal);
+        }
+    }
 
     /// <summary>Of a surface and a point beside it, what the solid and the point inside it have.</summary>
     internal DistanceResult Inside(float lowerBound) => new(

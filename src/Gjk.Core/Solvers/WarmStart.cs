@@ -7,7 +7,8 @@ namespace Gjk.Core;
 /// from the shapes anew, and the last normal for shapes without vertices.</remarks>
 public struct WarmStart
 {
-    private int _count;
+    private short _count;
+    private bool _isOfB;
     private int _a0, _a1, _a2, _a3;
     private int _b0, _b1, _b2, _b3;
     private float _x, _y, _z;
@@ -25,6 +26,7 @@ public struct WarmStart
     internal readonly Double3 FirstNormal(in PairFrame frame)
     {
         var normal = new Double3(_x, _y, _z);
+        if (_isOfB) normal = -frame.Rotation.Rotate(normal);
         double squared = normal.LengthSquared;
         return squared > 0 && squared <= LongestNormal ? normal : frame.FirstNormal;
     }
@@ -47,6 +49,14 @@ public struct WarmStart
         else state.Feature.Normal = FirstNormal(frame);
     }
 
+    /// <summary>Exchanges A and B. The normal stays as it is, and which body's frame it is in is remembered: turned, it
+    /// would be rounded.</summary>
+    internal void Exchange()
+    {
+        (_a0, _a1, _a2, _a3, _b0, _b1, _b2, _b3) = (_b0, _b1, _b2, _b3, _a0, _a1, _a2, _a3);
+        _isOfB = !_isOfB;
+    }
+
     /// <summary>Remembers where a query ended, unless the shapes contradicted themselves.</summary>
     internal void Keep(in SolverState state)
     {
@@ -57,7 +67,7 @@ public struct WarmStart
     /// <summary>Remembers a simplex.</summary>
     internal void Store(in Simplex simplex, in Double3 normal)
     {
-        _count = simplex.Count;
+        _count = (short)simplex.Count;
         (_a0, _b0) = _count > 0 ? (simplex.IdA(simplex.A), simplex.IdB(simplex.A)) : (-1, -1);
         if (_count > 1) (_a1, _b1) = (simplex.IdA(simplex.B), simplex.IdB(simplex.B));
         if (_count > 2) (_a2, _b2) = (simplex.IdA(simplex.C), simplex.IdB(simplex.C));
@@ -72,14 +82,15 @@ public struct WarmStart
     {
         double scale = 1 / System.Math.Sqrt(normal.LengthSquared);
         (_x, _y, _z) = ((float)(normal.X * scale), (float)(normal.Y * scale), (float)(normal.Z * scale));
+        _isOfB = false;
     }
 
 #if NET
     /// <summary>How many vertices there seem to be: a warm start can hold anything.</summary>
     internal readonly int Count => _count;
 
-    /// <summary>The last normal, if there was one.</summary>
-    internal readonly Double3 Normal => new(_x, _y, _z);
+    /// <summary>The last normal, if there was one, in A's frame.</summary>
+    internal readonly Double3 Normal => _isOfB ? default : new(_x, _y, _z);
 
     /// <summary>The ids of A's support points, and of B's, of the four vertices that there may be.</summary>
     internal readonly Vector128<int> IdsA => Vector128.LoadUnsafe(in _a0);
@@ -90,7 +101,7 @@ public struct WarmStart
     /// <summary>Remembers so many vertices.</summary>
     internal void Set(int count, Vector128<int> idsA, Vector128<int> idsB)
     {
-        _count = count;
+        _count = (short)count;
         Vector128<int> isNew = Vector128.LessThan(Vector128.Create(0, 1, 2, 3), Vector128.Create(count));
         Vector128.ConditionalSelect(isNew, idsA, IdsA).StoreUnsafe(ref _a0);
         Vector128.ConditionalSelect(isNew, idsB, IdsB).StoreUnsafe(ref _b0);

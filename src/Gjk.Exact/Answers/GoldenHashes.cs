@@ -9,13 +9,13 @@ public static class GoldenHashes
     {
         ["distances"] = "533df80e35cd6025",
         ["depths"] = "9dc7d9ad23e41f09",
-        ["contacts"] = "4339f9f468459290",
+        ["contacts"] = "2727a1e9d509bfb1",
         ["casts"] = "0368b0538acfe0d0",
         ["impacts"] = "691cefd8934d6e93",
         ["rays"] = "503e567f26354dca",
-        ["shapes"] = "edd2419b0de180a2",
+        ["shapes"] = "ebc5f79aeb270b61",
         ["batches"] = "02cb1d8ad93d25b4",
-        ["scenes"] = "554330dcd4bbbe98",
+        ["scenes"] = "18993dae1dcfda94",
         ["half-spaces"] = "f78c86a599dec090",
         ["masses"] = "b84810fe5e25ec8a",
     };

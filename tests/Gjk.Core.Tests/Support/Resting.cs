@@ -17,8 +17,16 @@ internal static class Resting
     {
         var manifold = default(ContactManifold);
         DistanceResult r = ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, out manifold);
-        Assert.Equal(ConvexQuery.SignedDistance(a, poseA, b, poseB), r);
+        AssertIsSignedDistance(r, a, poseA, b, poseB);
         return manifold;
+    }
+
+    /// <summary>Contacts say what the signed distance says in one of the two orders, to the last bit.</summary>
+    public static void AssertIsSignedDistance(
+        in DistanceResult found, in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB)
+    {
+        DistanceResult swapped = ConvexQuery.SignedDistance(b, poseB, a, poseA).Swapped;
+        Assert.Equal(swapped.Equals(found) ? swapped : ConvexQuery.SignedDistance(a, poseA, b, poseB), found);
     }
 
     public static ContactManifold OnSlab(ConvexShape shape, RigidPose pose, float maxGap = Gap) =>
