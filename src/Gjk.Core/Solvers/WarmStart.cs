@@ -31,8 +31,8 @@ public struct WarmStart
         return squared > 0 && squared <= LongestNormal ? normal : frame.FirstNormal;
     }
 
-    /// <summary>Puts the remembered vertices, as they are now, into a state without vertices, with the last normal; the
-    /// first search direction alone when the shapes no longer have them.</summary>
+    /// <summary>Puts the remembered vertices, as they are now, and the first search direction into a state without
+    /// vertices; the direction alone when the shapes no longer have them.</summary>
     internal readonly void Begin<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -44,9 +44,8 @@ public struct WarmStart
         if (count > 1) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a1, _b1, ref simplex.At(1));
         if (count > 2) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a2, _b2, ref simplex.At(2));
         if (count > 3) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a3, _b3, ref simplex.At(3));
-        Double3.Write(_x, _y, _z, out state.Feature.Normal);
         if (found) simplex.Select(count, 0, 1, 2, 3);
-        else state.Feature.Normal = FirstNormal(frame);
+        state.Feature.Normal = FirstNormal(frame);
     }
 
     /// <summary>Exchanges A and B. The normal stays as it is, and which body's frame it is in is remembered: turned, it

@@ -87,7 +87,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Queries/Rays"] = 574,
         ["Shapes"] = 1085,
         ["Simplex"] = 896,
-        ["Solvers"] = 621,
+        ["Solvers"] = 620,
         ["Solvers/Depth"] = 1252,
         ["Solvers/Motion"] = 911,
         ["Solvers/Trace"] = 110,
