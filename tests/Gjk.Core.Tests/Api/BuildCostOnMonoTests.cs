@@ -46,7 +46,8 @@ public class BuildCostOnMonoTests
     private static readonly (string Method, string Reason)[] LargeLocals =
     [
         ("ContactBuilder.*", State), ("MeetingEdges.IsOverFace", State),
-        ("ContactManifold.get_Swapped", Answer), ("ContactPlaces.*", State),
+        ("ContactManifold.get_Swapped", Answer), ("PairContacts.get_Swapped", Answer),
+        ("DistanceResult.get_Swapped", Answer), ("ContactPlaces.*", State),
         ("AxisScale.Frame", Placed), ("BodyForm.*", "round shapes of the depth, once"),
         ("Placement.GetFace", State), ("RigidPose.*", Conversion),
         ("ConvexQuery.*", Answer), ("DistanceFinish.ToWorld", Answer), ("DistanceSolver.Tell", Trace),
