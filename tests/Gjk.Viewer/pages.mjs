@@ -27,7 +27,15 @@ const tools = {
   open: (name, look) => openPage(browser, join(folder, `${name}.html`), look),
   keep: (page, name) => page.screenshot({ path: join(folder, `${name}.png`) }),
 };
-const parts = { checkView, checkMotion, checkViewReading, checkTraces, checkTraceReading, checkLesson, checkScreens };
-for (const [name, part] of Object.entries(parts)) if (!only || name === only) await part(tools);
+// The pages of view and those of trace at once: each waits for its drawing most of the time.
+const lanes = [
+  { checkView, checkMotion, checkViewReading },
+  { checkTraces, checkTraceReading, checkLesson, checkScreens },
+];
+await Promise.all(
+  lanes.map(async (parts) => {
+    for (const [name, part] of Object.entries(parts)) if (!only || name === only) await part(tools);
+  }),
+);
 await browser.close();
 finish();

@@ -1,11 +1,7 @@
 // A page of the playground in headless Chromium. Everything that the page complains about or fetches is recorded.
 import { chromium } from 'playwright-core';
 import { pathToFileURL } from 'node:url';
-
-const FLAGS = [
-  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-];
+import { FLAGS } from './browser.mjs';
 
 /** How long a page may take to do what a check waits for, and the pause before it is asked again. */
 const PATIENCE = 60_000, PAUSE = 20;

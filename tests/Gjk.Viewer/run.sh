@@ -15,8 +15,9 @@ if [ "${1:-}" != --no-build ]; then
 fi
 demo() { dotnet ../../src/Gjk.Demo/bin/Release/net10.0/gjk-demo.dll "$@"; }
 
-rm -rf TestResults
-mkdir TestResults
+# Those of the site may just be made.
+mkdir -p TestResults
+find TestResults -mindepth 1 -maxdepth 1 ! -name site -exec rm -rf {} +
 
 # The bundles that the demo embeds are checked in. They must equal the bundles that their sources make.
 viewer=../../src/Gjk.Demo/viewer
@@ -27,6 +28,12 @@ else
 fi
 
 node scenes.mjs TestResults
+trap 'kill $(jobs -p) 2> /dev/null || true' EXIT
+# One browser looks at the views and traces, two beside it play and do the studies, while the views are being made.
+bash play.sh > TestResults/play.log 2>&1 &
+play=$!
+bash study.sh > TestResults/study.log 2>&1 &
+study=$!
 {
   demo view --builtin cubes --out TestResults/cubes.html
   for scene in moving many; do
@@ -52,17 +59,10 @@ done
 demo query TestResults/deep.json --depth --out TestResults/deep.csv
 wait $views
 
-# One browser looks at the views and traces, another one beside it plays and does the studies.
 status=0
-{
-  beside=0
-  bash play.sh > TestResults/play.log 2>&1 || beside=1
-  bash study.sh > TestResults/study.log 2>&1 || beside=1
-  exit $beside
-} &
-beside=$!
 node pages.mjs TestResults | tee TestResults/pages.log || status=1
-wait $beside || status=1
+wait $play || status=1
+wait $study || status=1
 cat TestResults/play.log TestResults/study.log
 awk '/^[0-9]+ passed, [0-9]+ failed$/ { p += $1; f += $3 } END { print p " passed, " f " failed" }' TestResults/*.log
 exit $status

@@ -1,4 +1,6 @@
-# What the browser tests need: Node.js, Chromium and playwright-core, installed if they can be. For other scripts.
+# What the browser tests need: Node.js, Chromium and playwright-core, installed if they can be. For other scripts, and
+# by itself.
+cd "$(dirname "${BASH_SOURCE[0]}")"
 
 skip() {
   echo "skipped: $1"

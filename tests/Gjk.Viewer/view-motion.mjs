@@ -1,5 +1,6 @@
 // The page of view with scenes that move, and with one of two thousand objects.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { colorsAt, eventually, hover, until } from './browser.mjs';
 import { check } from './check.mjs';
@@ -114,9 +115,10 @@ async function checkSweep({ open, keep }) {
 
 async function checkMany({ folder, open, keep }) {
   await check('many: two thousand objects open, select and sort in seconds', async () => {
+    // Of two million rows, counted as text: as objects they take gigabytes.
+    const expected = readFileSync(join(folder, 'many.csv'), 'latin1').split(',true,').length - 1;
     const start = Date.now();
     const page = await open('many');
-    const expected = readCsv(join(folder, 'many.csv')).filter((row) => row.overlap === 'true').length;
     const { objects, overlapping } = await counts(page);
     assert.deepEqual([objects, overlapping], [2000, expected]);
     assert.match(await text(page, '.summary'), /^2000 objects, 1999000 pairs/);

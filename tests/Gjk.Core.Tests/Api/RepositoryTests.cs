@@ -11,9 +11,9 @@ public class RepositoryTests
     private static readonly string[] Known =
     [
         ".ci", ".editorconfig", ".gitattributes", ".github", ".gitignore", "CHANGELOG.md", "CODE_OF_CONDUCT.md",
-        "CONTRIBUTING.md", "Directory.Build.props", "Directory.Packages.props", "Gjk.sln", "Gjk.snk", "LICENSE",
-        "README.md", "SECURITY.md", "bench", "docs", "global.json", "pack.sh", "proofs", "samples", "src", "tests",
-        "unity",
+        "CONTRIBUTING.md", "Directory.Build.props", "Directory.Packages.props", "Directory.Solution.targets",
+        "Gjk.sln", "Gjk.snk", "LICENSE", "README.md", "SECURITY.md", "bench", "docs", "global.json",
+        "pack.sh", "proofs", "samples", "src", "tests", "unity",
     ];
 
     [Fact]
