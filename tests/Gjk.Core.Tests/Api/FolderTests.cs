@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 118,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3197,
+        ["Concave"] = 3264,
         ["Concave/Trees"] = 736,
         ["Contacts"] = 1012,
         ["Cores"] = 574,
