@@ -64,6 +64,7 @@ public static partial class ConcaveQuery
         SeamContacts.RemoveCovered(scratch, maxGap, contacts);
         if (scratch.A.MayHoldParts || scratch.B.MayHoldParts) ContactPush.RemoveNeedless(scratch, contacts);
         ContactPush.AddNeeded(scratch, contacts);
+        TouchLine.KeepOn(scratch, contacts);
         return true;
     }
 

@@ -277,7 +277,7 @@ internal static class SeamContacts
     }
 
     /// <summary>Whether a point is on a convex part, or on another one of its body that is near.</summary>
-    private static bool IsOn(ConcaveScratch scratch, bool isA, in ConvexShape shape, in Double3 point)
+    public static bool IsOn(ConcaveScratch scratch, bool isA, in ConvexShape shape, in Double3 point)
     {
         if (CoveredSides.IsOn(shape, point)) return true;
         PartSide side = isA ? scratch.A : scratch.B;
