@@ -51,7 +51,14 @@ public static partial class ConcaveQuery
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         CastHit first = Move(scratch, motion, a, b, maxFraction, tolerance, default);
-        RigidPose atA = PartAdvancement.PoseAt(a, hit.Fraction), atB = PartAdvancement.PoseAt(b, hit.Fraction);
+        RigidPose atA = PartAdvancement.PoseAt(a, first.Fraction), atB = PartAdvancement.PoseAt(b, first.Fraction);
+        if (!ShowsFace(sideA, first.PartA, atA, first.Result.Normal)
+            && !ShowsFace(sideB, first.PartB, atB, -first.Result.Normal))
+        {
+            return hit;
+        }
+
+        (atA, atB) = (PartAdvancement.PoseAt(a, hit.Fraction), PartAdvancement.PoseAt(b, hit.Fraction));
         double room = UnionLift.RoundingOf(atA) + UnionLift.RoundingOf(atB);
         if (motion == PartMotion.Impact) room += scratch.CastSearch.TouchRoom;
         Double3 point = first.Result.Point;
@@ -63,6 +70,12 @@ public static partial class ConcaveQuery
             new RigidMotion(atB, b.Velocity, b.AngularVelocity), maxFraction - hit.Fraction, tolerance, default).Result;
         (sideA.Pose, sideB.Pose) = (a.Pose, b.Pose);
         return UnionLift.IsFlush(above, first.Result) ? first : hit;
+    }
+
+    private static bool ShowsFace(PartSide side, int part, in RigidPose pose, Vector3 normal)
+    {
+        ConvexShape room = default;
+        return MetFeatures.Of(side.Part(Math.Max(part, 0), ref room), pose, normal, out _) == MetFeature.Face;
     }
 
     /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's
