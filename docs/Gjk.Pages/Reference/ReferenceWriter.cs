@@ -35,7 +35,8 @@ internal sealed class ReferenceWriter
 
     public string Section(Type type)
     {
-        var page = new StringBuilder($"\n## {ReferencePages.Plain(type)}\n\n`{Signature.Of(type)}`\n");
+        var page = new StringBuilder($"\n## {ReferencePages.Plain(type)}\n\n`{Signature.Of(type)}`");
+        page.Append(type.Namespace == "Gjk.Core" ? "\n" : $", namespace `{type.Namespace}`\n");
         Describe(page, Comment(MemberId.Of(type)), [], indent: "");
         IEnumerable<MemberInfo> members = type.GetMembers(Declared)
             .Where(m => m is not Type && Signature.IsWorthListing(m) && m.Name != "value__")
@@ -61,6 +62,7 @@ internal sealed class ReferenceWriter
     {
         ConstructorInfo => $"new {ReferencePages.Plain(member.DeclaringType!)}",
         PropertyInfo property when property.GetIndexParameters().Length > 0 => "this",
+        _ when Signature.IsOperator(member) => "operators",
         _ => member.Name,
     };
 

@@ -22,6 +22,15 @@ internal static class Signature
         [typeof(void)] = "void",
     };
 
+    private static readonly Dictionary<string, string> Operators = new()
+    {
+        ["op_Addition"] = "+",
+        ["op_Subtraction"] = "-",
+        ["op_UnaryNegation"] = "-",
+        ["op_Multiply"] = "*",
+        ["op_Division"] = "/",
+    };
+
     public static string Of(Type type)
     {
         string kind = type.IsInterface ? "interface"
@@ -38,6 +47,10 @@ internal static class Signature
         FieldInfo field => $"{Static(field.IsStatic)}{Name(field.FieldType)} {field.Name}",
         PropertyInfo property => Of(property),
         ConstructorInfo constructor => $"{Short(constructor.DeclaringType!)}({Parameters(constructor)})",
+        MethodInfo { Name: "op_Implicit" or "op_Explicit" } method =>
+            $"static {method.Name[3..].ToLowerInvariant()} operator {Name(method.ReturnType)}({Parameters(method)})",
+        MethodInfo method when Operators.TryGetValue(method.Name, out string? sign) =>
+            $"static {Name(method.ReturnType)} operator {sign}({Parameters(method)})",
         MethodInfo method =>
             $"{Static(method.IsStatic)}{Name(method.ReturnType)} {method.Name}{Generic(method)}({Parameters(method)})",
         _ => member.Name,
@@ -89,9 +102,13 @@ internal static class Signature
             : type.Name;
     }
 
+    /// <summary>Whether it is an operator or a conversion; whether values are equal every type can say.</summary>
+    public static bool IsOperator(MemberInfo member) =>
+        member.Name is "op_Implicit" or "op_Explicit" || Operators.ContainsKey(member.Name);
+
     /// <summary>Members that every type has, or that the compiler made.</summary>
     public static bool IsWorthListing(MemberInfo member) =>
         member is not MethodInfo method
-        || (!method.IsSpecialName && !method.Name.StartsWith('<')
+        || IsOperator(method) || (!method.IsSpecialName && !method.Name.StartsWith('<')
             && method.Name is not ("Equals" or "GetHashCode" or "ToString" or "GetType"));
 }

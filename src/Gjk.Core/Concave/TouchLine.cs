@@ -103,11 +103,10 @@ internal static class TouchLine
     }
 
     /// <summary>From a point to the nearest one of a line, as seen along a normal.</summary>
-    private static Double3 ToLine(Double3 from, Double3 along, in Double3 normal)
+    private static Double3 ToLine(in Double3 from, in Double3 along, in Double3 normal)
     {
-        from -= normal * Double3.Dot(from, normal);
-        along -= normal * Double3.Dot(along, normal);
-        double part = -Double3.Dot(from, along) / along.LengthSquared;
-        return from + along * Math.Max(0, Math.Min(part, 1));
+        Double3 end = from - normal * Double3.Dot(from, normal), way = along - normal * Double3.Dot(along, normal);
+        double part = -Double3.Dot(end, way) / way.LengthSquared;
+        return end + way * Math.Max(0, Math.Min(part, 1));
     }
 }

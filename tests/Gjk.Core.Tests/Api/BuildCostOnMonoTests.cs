@@ -67,6 +67,7 @@ public class BuildCostOnMonoTests
         ("BoxFit.TryGetSpread", Making), ("TriangleMesh.TryGetOutward", Cover), ("PlaneProof.*", Cover),
         ("Reaches.OfPart", Part), ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
         ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
+        ("TouchLine.*", Contact),
         ("DeepestPoint.Lead", Contact), ("TriangleBack.IsBack", Answer),
         ("AxialDepth.*", State), ("CornerDepth.*", Way), ("CylinderDepth.*", Way), ("PairForm.*", Way),
         ("BoxDepth.Solve", State), ("BoxDepthPoints.Find", "once, for the ends of the way that was found"),

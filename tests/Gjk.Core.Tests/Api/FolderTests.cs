@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 118,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3284,
+        ["Concave"] = 3283,
         ["Concave/Trees"] = 736,
         ["Contacts"] = 1039,
         ["Cores"] = 574,
