@@ -91,7 +91,12 @@ public static partial class ConcaveQuery
         bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
         bool isSolid = sideA.IsSolid || sideB.IsSolid;
         if (options.PassesShallow)
-            return first.IsHit ? OffSeam(scratch, motion, a, b, maxFraction, tolerance, options, first) : first;
+        {
+            return first.IsHit && options.AllowedDepth > 0
+                ? OffSeam(scratch, motion, a, b, maxFraction, tolerance, options, first)
+                : first;
+        }
+
         if (!isSolid) return first;
         if (!isAtStart && TryInside(scratch, a, b, found, out CastHit inside)) first = inside;
         bool isIn = first.Status == CastStatus.OverlappingAtStart;

@@ -42,12 +42,11 @@ internal static class UnionLift
     public static CastOptions Within(float rounding) => CastOptions.OnlyDeeper(rounding);
 
     /// <summary>Whether a hit may be with a seam: the body goes deeper all the way into a surface that it has met
-    /// before and passes, which it does only where some depth is allowed. It is moved out of that, and a little
-    /// further.</summary>
+    /// before and passes. It is moved out of that, and a little further.</summary>
     /// <param name="hit">On the way.</param>
     /// <param name="first">The first contact of all: with the surface, as its seams come later.</param>
     /// <param name="way">How the body moves there, seen from the other.</param>
-    /// <param name="options">What is passed.</param>
+    /// <param name="options">What is passed: some depth is allowed, or no surface would be.</param>
     /// <param name="room">World units: what the poses and the contacts may be off by.</param>
     /// <param name="sign">1 where the body is B, -1 where it is A.</param>
     /// <param name="pose">Of the body where it is hit.</param>
@@ -58,7 +57,7 @@ internal static class UnionLift
         double rate = -sign * Double3.Dot(way, first.Normal), between = (double)hit.Fraction - first.Fraction;
         double deep = first.Depth + rate * between + 2 * room;
         var moved = (Vector3)((Double3)pose.Position + (Double3)first.Normal * (sign * deep));
-        bool isIn = first.IsHit && rate > 0 && between >= 0 && options.AllowedDepth > 0
+        bool isIn = first.IsHit && rate > 0 && between >= 0
             && deep <= 2 * Math.Max(options.AllowedDepth, first.Depth) + 4 * room;
         if (!isIn || hit.Normal == first.Normal || !Guard.IsFinite(moved)) return false;
         pose = new RigidPose(pose.Rotation, moved);

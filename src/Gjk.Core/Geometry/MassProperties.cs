@@ -79,10 +79,17 @@ public readonly struct MassProperties
         double xy = Math.Abs(p.X), xz = Math.Abs(p.Y), yz = Math.Abs(p.Z);
         bool isZ = xy >= xz && xy >= yz, isX = !isZ && yz >= xz;
         double product = isZ ? p.X : isX ? p.Z : p.Y;
-        double apart = isZ ? s.X - s.Y : isX ? s.Y - s.Z : s.Z - s.X;
-        double angle = 0.5 * Math.Atan2(apart < 0 ? -2 * product : 2 * product, Math.Abs(apart));
-        turn = QuaternionD.About(new Double3(isX ? 1 : 0, isX || isZ ? 0 : 1, isZ ? 1 : 0), angle);
-        return Math.Abs(product) > NoProduct * s.SumOfMagnitudes;
+        double apart = isZ ? s.X - s.Y : isX ? s.Y - s.Z : s.Z - s.X, spread = s.SumOfMagnitudes;
+        turn = QuaternionD.Identity;
+        if (!(Math.Abs(product) > NoProduct * spread)) return false;
+
+        // The tangent of twice the angle is 2 product / apart. Roots have the same bits on every target, arcs have not.
+        double across = 2 * product / spread, along = Math.Abs(apart) / spread;
+        double length = Math.Sqrt(across * across + along * along);
+        double cosine = Math.Sqrt(0.5 + 0.5 * along / length), half = Math.Sqrt(0.5 + 0.5 * cosine);
+        double sine = across / (4 * length * cosine * half) * (apart < 0 ? -1 : 1);
+        turn = new QuaternionD(isX ? sine : 0, isX || isZ ? 0 : sine, isZ ? sine : 0, half);
+        return true;
     }
 
     /// <summary>Mass, volume, centre and inertia, for people.</summary>

@@ -19,7 +19,7 @@ public enum RaySides : byte
 }
 
 /// <summary>Whether a flag is set; <c>HasFlag</c> allocates on Mono.</summary>
-internal static class RaySidesTest
+internal static class RaySidesExtensions
 {
     public static bool Has(this RaySides sides, RaySides flag) => (sides & flag) != 0;
 }

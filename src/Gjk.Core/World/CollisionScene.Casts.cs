@@ -26,7 +26,7 @@ public sealed partial class CollisionScene
         CheckCast(shape, pose, translation, maxFraction);
         MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
         hit = First(moving, maxFraction);
-        if (options.PassesShallow && hit.IsHit)
+        if (hit.IsHit && options.AllowedDepth > 0)
             hit = OffSeam(moving, pose, maxFraction, options, hit);
         return hit.Id >= 0;
     }
