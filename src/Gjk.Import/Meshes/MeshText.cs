@@ -68,9 +68,18 @@ internal sealed class MeshText
     /// <summary>A coordinate. It is rounded once, from its decimal digits to float.</summary>
     public float Number(string word)
     {
-        bool isNumber = float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out float value);
-        if (!isNumber || float.IsNaN(value)) throw Refuse($"\"{Short(word)}\" is not a number");
+        if (!TryParse(word, out float value) || float.IsNaN(value)) throw NotANumber(word);
         return float.IsFinite(value) ? value : throw Refuse($"{Short(word)} is too large for a float");
+    }
+
+    /// <summary>Refuses what is neither a number nor infinite or NaN as C or C# write it.</summary>
+    public void CheckNumeric(string word)
+    {
+        ReadOnlySpan<char> name = word.AsSpan().TrimStart("+-");
+        bool isNan = name.StartsWith("nan", StringComparison.OrdinalIgnoreCase)
+            && (name.Length == 3 || (name[3] == '(' && name[^1] == ')'));
+        if (!isNan && !name.Equals("inf", StringComparison.OrdinalIgnoreCase) && !TryParse(word, out _))
+            throw NotANumber(word);
     }
 
     public int Whole(string word) =>
@@ -94,6 +103,11 @@ internal sealed class MeshText
     /// <exception cref="ImportException">A coordinate is not finite.</exception>
     public static Vector3 Checked(Vector3 vertex, Func<ImportException> refuse) =>
         ((Double3)vertex).IsFinite ? vertex : throw refuse();
+
+    private static bool TryParse(string word, out float value) =>
+        float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out value);
+
+    private ImportException NotANumber(string word) => Refuse($"\"{Short(word)}\" is not a number");
 
     /// <summary>A line ends with a line feed, a carriage return or both.</summary>
     private string RawLine()

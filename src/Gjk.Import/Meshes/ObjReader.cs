@@ -103,13 +103,14 @@ internal sealed class ObjReader
 
     private static string NameOf(IReadOnlyList<string> words) => string.Join(" ", words.Skip(1));
 
-    /// <summary>A weight or a colour of three or four numbers may follow the three coordinates.</summary>
+    /// <summary>A weight or a colour of three or four numbers may follow the three coordinates. As nothing reads them,
+    /// they may be too large or no number of their own.</summary>
     private void ReadVertex(IReadOnlyList<string> words)
     {
         if (words.Count < 4) throw _text.Refuse($"a vertex needs three coordinates, but has {words.Count - 1}");
         if (words.Count is 6 or > 8)
             throw _text.Refuse($"a vertex has 3 numbers, 4, 6 or 7, but this one has {words.Count - 1}");
-        for (int i = 4; i < words.Count; i++) _text.Number(words[i]);
+        for (int i = 4; i < words.Count; i++) _text.CheckNumeric(words[i]);
         var vertex = new Vector3(_text.Number(words[1]), _text.Number(words[2]), _text.Number(words[3]));
         _vertices.Add(vertex);
         if (!_points.TryGetValue(PartName, out List<Vector3>? points)) _points[PartName] = points = [];

@@ -71,6 +71,20 @@ public sealed class ObjTests
         Assert.Contains(new Vector3(1.0000001f, float.Epsilon, -16777218f), imported.Vertices("default"));
     }
 
+    /// <summary>What is behind a position is not read, and programs write what they have: as C, C# and others name
+    /// it.</summary>
+    [Theory]
+    [InlineData("nan nan nan")]
+    [InlineData("0.5 NaN -nan 1")]
+    [InlineData("inf -inf +Infinity")]
+    [InlineData("-nan(ind) NAN(0x1) 1e39")]
+    [InlineData("nan")]
+    public void AColourOrWeightMayBeAnything(string colour)
+    {
+        Imported imported = Of($"v 1 2 3 {colour}\nv 4 5 6 1 1 1\nl 1 2\n");
+        Assert.Equal([new(1, 2, 3), new(4, 5, 6)], imported.Vertices("default"));
+    }
+
     [Fact]
     public void PointsWithoutFacesAreAPartToo()
     {
@@ -94,6 +108,9 @@ public sealed class ObjTests
     [InlineData("\u00FF\u00FEv\0 \0", "it is UTF-16 text; save it as UTF-8")]
     [InlineData("v\0 \0001\0", "it is UTF-16 text")]
     [InlineData("v 1 2 nan\n", ":1: \"nan\" is not a number")]
+    [InlineData("v 1 inf 3 1 1 1\n", ":1: \"inf\" is not a number")]
+    [InlineData("v 1 2 Infinity nan nan nan\n", ":1: Infinity is too large for a float")]
+    [InlineData("v 1 2 3 nano 0 0\n", ":1: \"nano\" is not a number")]
     [InlineData("v 0 0 0\nf 1 1 0\n", ":2: there is no vertex 0: 1 came before")]
     [InlineData("v 0 0 0\nf 1 1 -2\n", ":2: there is no vertex -2")]
     [InlineData("v 0 0 0\nf 1 1 2\nv 0 0 0\n", ":2: there is no vertex 2")]
