@@ -6,6 +6,9 @@ internal interface ICover
     /// <summary>Whether a part of it holds a point of the world and reaches beyond it.</summary>
     bool GoesOn(in Double3 point, in Double3 direction);
 
+    /// <summary>Whether it, or what it is around, holds a point of the world.</summary>
+    bool Holds(in Double3 point);
+
     /// <summary>The plane in which it ends near a witness, before what is just beyond that; the way out where that is
     /// in it.</summary>
     OpenPlane EndNear(in Double3 witness, in Double3 outward);
@@ -39,6 +42,13 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         }
 
         return false;
+    }
+
+    public bool Holds(in Double3 point)
+    {
+        ConvexShape room = default;
+        Double3 local = new RotationD(_side.Pose.Rotation).InverseRotate(point - _side.Pose.Position);
+        return SeamContacts.IsOn(scratch, isA, _side.Part(_own, ref room), local);
     }
 
     public OpenPlane EndNear(in Double3 witness, in Double3 outward)

@@ -2,7 +2,7 @@ namespace Gjk.Core;
 
 /// <summary>A round side or edge touches a face along a line. A part that ends beside that line has points there too,
 /// which a body that goes on to the line, flat, does not show.</summary>
-internal static class TouchLine
+internal readonly struct TouchLine
 {
     /// <summary>Ratio to the radius of a part with a round side: what is beside its line by less is as deep as that,
     /// but for 2^-21 of the radius.</summary>
@@ -11,6 +11,12 @@ internal static class TouchLine
     /// <summary>Cosine of 6 degrees: a face that is tilted by more, as much as <see cref="MeetingEdges"/> allows, meets
     /// another one with its edge.</summary>
     private const double Tilted = 0.995;
+
+    private readonly Double3 _from, _along, _outward;
+    private readonly double _least;
+
+    private TouchLine(in Double3 from, in Double3 along, in Double3 outward, double radius) =>
+        (_from, _along, _outward, _least) = (from, along, outward, Beside * radius);
 
     /// <summary>Takes out the points beside the lines of round sides; a contact's deepest only where another one is
     /// deeper the same way.</summary>
@@ -24,48 +30,60 @@ internal static class TouchLine
     {
         PartSide side = isA ? scratch.A : scratch.B, other = isA ? scratch.B : scratch.A;
         if (other.Mesh is not null) return;
-        RotationD toSide = new(side.Pose.Rotation);
-        ConvexShape room = default, sideRoom = default;
+        ConvexShape room = default;
         int count = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
             PairContacts one = contacts[i];
             Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
             ref readonly ConvexShape shape = ref other.Part(Math.Max(isA ? one.PartB : one.PartA, 0), ref room);
-            if (!TryFind(shape, other.Pose, -outward, out Double3 from, out Double3 along))
+            if (TryFind(shape, other.Pose, outward, out TouchLine line))
             {
-                contacts[count++] = one;
-                continue;
+                var cover = new PartsCover(scratch, isA, one);
+                if (line.IsBeside(one, isA, side.Pose, cover) && IsAnyDeeper(contacts, one, isA)) continue;
+                one = line.KeepOn(one, isA, side.Pose, cover);
             }
 
-            ref readonly ConvexShape own = ref side.Part(isA ? one.PartA : one.PartB, ref sideRoom);
-            ContactManifold kept = default;
-            kept.Begin(one.Manifold.Normal);
-            for (int k = 0; k < one.Manifold.Count; k++)
-            {
-                Double3 foot = CoveredSides.FootOf(one.Manifold[k], isA, side.Pose);
-                Double3 to = ToLine(from - foot, along, outward);
-                Double3 between = toSide.InverseRotate(foot + to * 0.5 - side.Pose.Position);
-                bool isBeside = to.Length > Beside * shape.BoundingRadius
-                    && SeamContacts.IsOn(scratch, isA, own, between)
-                    && (k > 0 || IsAnyDeeper(contacts, one, isA));
-                if (!isBeside) kept.Add(one.Manifold[k]);
-                else if (k == 0) break;
-            }
-
-            if (kept.Count > 0) contacts[count++] = new PairContacts(one.PartA, one.PartB, one.Result, kept);
+            contacts[count++] = one;
         }
 
         contacts.RemoveRange(count, contacts.Count - count);
     }
+
+    /// <summary>Whether the deepest point of a contact is beside the line, where a body goes on to that.</summary>
+    public bool IsBeside<T>(in PairContacts contact, bool isA, in RigidPose pose, T body)
+        where T : struct, ICover =>
+        IsBeside(CoveredSides.FootOf(contact.Manifold[DeepestPoint.Of(contact.Manifold)], isA, pose), body);
+
+    /// <summary>A contact with its deepest point and those that are not beside the line.</summary>
+    public PairContacts KeepOn<T>(in PairContacts contact, bool isA, in RigidPose pose, T body)
+        where T : struct, ICover
+    {
+        ContactManifold kept = default;
+        kept.Begin(contact.Manifold.Normal);
+        int deepest = DeepestPoint.Of(contact.Manifold);
+        for (int k = 0; k < contact.Manifold.Count; k++)
+        {
+            ManifoldPoint point = contact.Manifold[k];
+            if (k == deepest || !IsBeside(CoveredSides.FootOf(point, isA, pose), body)) kept.Add(point);
+        }
+
+        return new PairContacts(contact.PartA, contact.PartB, contact.Result, kept, contact.Pair);
+    }
+
+    /// <summary>Whether one of two contacts of a part of a body, whose ways out are given, is deeper and the same way
+    /// as the other.</summary>
+    public static bool IsDeeper(
+        in PairContacts one, in Double3 outward, in PairContacts other, in Double3 otherOutward) =>
+        one.Result.Distance < other.Result.Distance
+        && (outward - otherOutward).SumOfMagnitudes <= CoveredSides.Room;
 
     private static bool IsAnyDeeper(List<PairContacts> contacts, in PairContacts one, bool isA)
     {
         foreach (PairContacts other in contacts)
         {
             if ((isA ? other.PartB == one.PartB : other.PartA == one.PartA)
-                && other.Result.Distance < one.Result.Distance
-                && ((Double3)other.Manifold.Normal - one.Manifold.Normal).SumOfMagnitudes <= CoveredSides.Room)
+                && IsDeeper(other, other.Manifold.Normal, one, one.Manifold.Normal))
             {
                 return true;
             }
@@ -74,16 +92,16 @@ internal static class TouchLine
         return false;
     }
 
-    /// <summary>The line that a shape with a round side or edge shows to a direction.</summary>
-    private static unsafe bool TryFind(
-        in ConvexShape shape, in RigidPose pose, in Double3 direction, out Double3 from, out Double3 along)
+    /// <summary>The line that a shape with a round side or edge shows to a surface, whose way out is given.</summary>
+    public static unsafe bool TryFind(
+        in ConvexShape shape, in RigidPose pose, in Double3 outward, out TouchLine line)
     {
         FaceCorner* memory = stackalloc FaceCorner[FaceCorners.Capacity];
         var corners = new FaceCorners(memory);
         RotationD turn = new(pose.Rotation);
-        Double3 local = turn.InverseRotate(direction);
+        Double3 local = turn.InverseRotate(-outward);
         shape.GetFace(local, ref corners);
-        (from, along) = (default, default);
+        line = default;
         int count = corners.Count, first = 0, last = 1;
         if (count < 2 || (corners.Side == RoundSide.None && shape.Margin == 0)) return false;
         if (count > 2)
@@ -97,16 +115,20 @@ internal static class TouchLine
             if (Double3.Dot(corners[before] - corners[last], local) > 0) last = before;
         }
 
-        from = CoveredSides.InWorld(shape.Center + corners[first], pose);
-        along = turn.Rotate(corners[last] - corners[first]);
+        Double3 along = turn.Rotate(corners[last] - corners[first]);
+        line = new TouchLine(
+            CoveredSides.InWorld(shape.Center + corners[first], pose), along, outward, shape.BoundingRadius);
         return true;
     }
 
-    /// <summary>From a point to the nearest one of a line, as seen along a normal.</summary>
-    private static Double3 ToLine(in Double3 from, in Double3 along, in Double3 normal)
+    /// <summary>Whether a point is beside the line, as seen along the way out, and a body goes on to that.</summary>
+    private bool IsBeside<T>(in Double3 foot, T body)
+        where T : struct, ICover
     {
-        Double3 end = from - normal * Double3.Dot(from, normal), way = along - normal * Double3.Dot(along, normal);
+        Double3 from = _from - foot, end = from - _outward * Double3.Dot(from, _outward);
+        Double3 way = _along - _outward * Double3.Dot(_along, _outward);
         double part = -Double3.Dot(end, way) / way.LengthSquared;
-        return end + way * Math.Max(0, Math.Min(part, 1));
+        Double3 to = end + way * Math.Max(0, Math.Min(part, 1));
+        return to.Length > _least && body.Holds(foot + to * 0.5);
     }
 }

@@ -122,6 +122,28 @@ internal readonly ref struct BodyContact
             : CoveredSides.TryAlong(ref straight, true, ground, pose, body, bodyPose, maxGap, way));
     }
 
+    /// <summary>Finds the line that the body shows to the static object.</summary>
+    public bool TryFindLine(out TouchLine line)
+    {
+        line = default;
+        if (_objects.Parts.Has(Body) && _objects.Parts[Body].Mesh is not null) return false;
+        ConvexShape room = default;
+        return TouchLine.TryFind(BodyPart(ref room), _objects.Poses[Body], Outward, out line);
+    }
+
+    /// <summary>Whether its deepest point is beside the line, where static objects go on to that.</summary>
+    public bool IsBeside(in TouchLine line, List<int> grounds) =>
+        line.IsBeside(_contact, !_isBodyA, _objects.Poses[Ground], new GroundCover(_objects, grounds));
+
+    /// <summary>The contact without the other points that are.</summary>
+    public PairContacts KeptOn(in TouchLine line, List<int> grounds) =>
+        line.KeepOn(_contact, !_isBodyA, _objects.Poses[Ground], new GroundCover(_objects, grounds));
+
+    /// <summary>Whether another contact of the same part of the body is deeper, the same way.</summary>
+    public bool IsUnder(in BodyContact other) =>
+        (_isBodyA ? _contact.PartA : _contact.PartB) == (other._isBodyA ? other._contact.PartA : other._contact.PartB)
+        && TouchLine.IsDeeper(other._contact, other.Outward, _contact, Outward);
+
     /// <summary>Whether another contact's push takes the body out of this part.</summary>
     public bool IsHeldBy(in BodyContact other)
     {

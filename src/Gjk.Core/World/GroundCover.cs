@@ -15,6 +15,17 @@ internal readonly struct GroundCover(SceneObjects objects, List<int> others) : I
         return false;
     }
 
+    public bool Holds(in Double3 point)
+    {
+        foreach (int other in others)
+        {
+            RotationD turn = new(objects.Poses[other].Rotation);
+            if (objects.Parts.Holds(other, turn.InverseRotate(point - objects.Poses[other].Position))) return true;
+        }
+
+        return false;
+    }
+
     public OpenPlane EndNear(in Double3 witness, in Double3 outward)
     {
         DistanceResult least = default;

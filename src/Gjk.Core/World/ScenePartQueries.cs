@@ -45,6 +45,19 @@ internal sealed class ScenePartQueries(SceneObjects objects)
         return goesOn;
     }
 
+    /// <summary>Whether the object in a slot holds a point of its frame.</summary>
+    public bool Holds(int slot, in Double3 point)
+    {
+        if (!Has(slot)) return CoveredSides.IsOn(objects.Shapes[slot], point);
+        ConcaveScratch scratch = Rent();
+        var room = (float)(CoveredSides.Room * point.SumOfMagnitudes);
+        PairDistance found = ConcaveQuery.Distance(
+            _shapes[slot], RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point), scratch,
+            2 * room);
+        Return(scratch);
+        return found.Result.Distance <= room;
+    }
+
     /// <summary>Whether the object in a slot ends at one of its parts along a direction in the world.</summary>
     public bool Shows(int slot, int part, in Double3 direction)
     {

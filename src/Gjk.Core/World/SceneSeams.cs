@@ -23,7 +23,9 @@ internal sealed class SceneSeams(SceneObjects objects)
             end = begin + 1;
             while (end < count && _keys[end] >> 32 == _keys[begin] >> 32) end++;
             FindGrounds(contacts, begin, end);
-            if (_grounds.Count > 1) isAny |= Cover(contacts, begin, end, maxGap);
+            if (_grounds.Count < 2) continue;
+            isAny |= Cover(contacts, begin, end, maxGap);
+            isAny |= KeepOnLines(contacts, begin, end);
         }
 
         if (!isAny) return;
@@ -143,6 +145,33 @@ internal sealed class SceneSeams(SceneObjects objects)
             if (!one.TryFlush(_near, _ends, maxGap, out PairContacts flush)) continue;
             (contacts[at], _isCovered[at]) = (flush, false);
         }
+    }
+
+    /// <summary>Takes out the points of a body beside its lines, as <see cref="TouchLine"/> does where one object goes
+    /// on to them.</summary>
+    private bool KeepOnLines(List<PairContacts> contacts, int begin, int end)
+    {
+        bool isAny = false;
+        _near.Clear();
+        foreach (Ground ground in _grounds) _near.Add(ground.Slot);
+        for (int i = begin; i < end; i++)
+        {
+            int at = (int)(uint)_keys[i];
+            BodyContact one = At(contacts, i);
+            if (_isCovered[at] || !one.TryFindLine(out TouchLine line)) continue;
+            _isCovered[at] = one.IsBeside(line, _near) && IsAnyDeeper(contacts, begin, end, one);
+            if (_isCovered[at]) isAny = true;
+            else contacts[at] = one.KeptOn(line, _near);
+        }
+
+        return isAny;
+    }
+
+    private bool IsAnyDeeper(List<PairContacts> contacts, int begin, int end, in BodyContact one)
+    {
+        for (int k = begin; k < end; k++)
+            if (!_isCovered[(int)(uint)_keys[k]] && one.IsUnder(At(contacts, k))) return true;
+        return false;
     }
 
     /// <summary>Before a walk over the contacts of a body, with the planes that there are.</summary>

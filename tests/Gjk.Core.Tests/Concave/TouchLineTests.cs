@@ -8,6 +8,9 @@ public class TouchLineTests
 {
     private const float Off = 1e-3f;
 
+    /// <summary>Floors of static objects.</summary>
+    private const string Boxes = "objects that are boxes", Fields = "objects that are fields";
+
     private static readonly AnyShape Whole = AnyShape.Of(
         ConvexShape.Box(new Vector3(1.5f, 1, 1.5f)).Placed(new RigidPose(new Vector3(1.5f, -1, 1.5f))));
 
@@ -16,7 +19,8 @@ public class TouchLineTests
         get
         {
             var pairs = new TheoryData<string, string>();
-            foreach (string floor in new[] { "plate", "doubled", "tiles", "joined boxes", "compound", "turned plate" })
+            string[] floors = ["plate", "doubled", "tiles", "joined boxes", "compound", "turned plate", Boxes, Fields];
+            foreach (string floor in floors)
                 foreach (string wheel in new[] { "cylinder", "capsule", "rounded box" }) pairs.Add(floor, wheel);
             return pairs;
         }
@@ -30,9 +34,13 @@ public class TouchLineTests
         int count = Budget.Count(300);
         for (int i = 0; i < count; i++)
         {
-            float depth = rng.Of(-1e-3f, 3e-4f, 0.02f, 0.1f), maxGap = depth < 0 ? 0.01f : rng.Of(0, 1e-5f, 0.01f);
+            // Where a line ends on a field by less than it is deep, the field's border has the contact.
+            float depth = floor == Fields ? rng.Of(-1e-3f, 3e-4f, 2e-3f) : rng.Of(-1e-3f, 3e-4f, 0.02f, 0.1f);
+            float maxGap = depth < 0 ? 0.01f : rng.Of(0, 1e-5f, 0.01f);
             RigidPose pose = OnFloor(rng, wheel, depth, 1 + rng.Float(0, 1), 1.5f + rng.Float(-0.03, 0.03));
-            List<ManifoldPoint> points = Ask(Floor(floor), wheel, pose, maxGap, i % 2 == 0);
+            List<ManifoldPoint> points = floor is Boxes or Fields
+                ? AskScene(floor, wheel, pose, maxGap, i % 2 == 0)
+                : Ask(Floor(floor), wheel, pose, maxGap, i % 2 == 0);
             List<ManifoldPoint> line = Ask(Whole, wheel, pose, maxGap, true);
             string record = $"{floor}, {wheel} {i}, {depth} deep at {pose}, gap up to {maxGap}";
             Vector3 axis = Vector3.Transform(Vector3.UnitY, pose.Rotation), across = new(-axis.Z, 0, axis.X);
@@ -104,6 +112,27 @@ public class TouchLineTests
             : ConcaveQuery.FindContacts(body, pose, floor, RigidPose.Identity, maxGap, new ConcaveScratch(), contacts));
         return [.. contacts.SelectMany(
             c => Enumerable.Range(0, c.Manifold.Count).Select(k => isFloorA ? c.Manifold[k] : Swapped(c.Manifold[k])))];
+    }
+
+    private static List<ManifoldPoint> AskScene(
+        string floor, string wheel, in RigidPose pose, float maxGap, bool isFloorFirst)
+    {
+        var contacts = new List<PairContacts>();
+        var scene = new CollisionScene();
+        var still = new ObjectSettings(isStatic: true);
+        AnyShape field = AnyShape.Surface(TriangleMesh.FromHeights(new float[9], 3, new Vector2(0.25f)));
+        int id = isFloorFirst ? -1 : scene.Add(Wheel(wheel), pose);
+        foreach (CompoundPart tile in Floors.Tiles(0))
+        {
+            if (floor == Boxes) scene.Add(tile.Shape, tile.Pose, still);
+            else scene.Add(field, new RigidPose(tile.Pose.Position + new Vector3(-0.25f, 0.2f, -0.25f)), still);
+        }
+
+        if (isFloorFirst) id = scene.Add(Wheel(wheel), pose);
+        scene.FindContacts(maxGap, contacts);
+        return [.. contacts.SelectMany(
+            c => Enumerable.Range(0, c.Manifold.Count).Select(
+                k => c.Pair.B == id ? c.Manifold[k] : Swapped(c.Manifold[k])))];
     }
 
     private static ManifoldPoint Swapped(ManifoldPoint p) =>
