@@ -22,6 +22,13 @@ internal static class PageProgram
     private const string ImplicitUsings =
         "using System; using System.Collections.Generic; using System.IO; using System.Linq;";
 
+    /// <summary>What is read of them is kept in them, so they are the same for all programs.</summary>
+    private static readonly MetadataReference[] References =
+    [
+        .. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
+            .Select(p => MetadataReference.CreateFromFile(p)),
+    ];
+
     /// <summary>Compiles the blocks and returns what each of them prints.</summary>
     /// <param name="blocks">The blocks of one page.</param>
     /// <param name="folder">The working folder, in which the page's own files lie.</param>
@@ -78,12 +85,11 @@ internal static class PageProgram
 
     private static Assembly? Compile(IReadOnlyList<CodeBlock> blocks, OutputKind kind, string[] sources)
     {
-        string platform = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
         var options = new CSharpCompilationOptions(kind, nullableContextOptions: NullableContextOptions.Enable);
         CSharpCompilation compilation = CSharpCompilation.Create(
             "page",
             sources.Select(s => CSharpSyntaxTree.ParseText(s)),
-            platform.Split(Path.PathSeparator).Select(p => MetadataReference.CreateFromFile(p)),
+            References,
             options);
         using var image = new MemoryStream();
         var result = compilation.Emit(image);

@@ -21,7 +21,7 @@ internal static class StackProgram
         foreach ((string name, Action work) in Works())
         {
             Console.Write(name + " ");
-            int used = StackUse.Least(work);
+            int used = StackUse.Least(work, Most);
             Console.WriteLine(used);
             StackUse.On(Thread, work);
             isWithin &= used <= Most;

@@ -23,7 +23,7 @@ internal sealed class ExactMass
             for (int i = 0; i < 3; i++)
             {
                 _first[i] += volume * sum[i];
-                for (int j = 0; j < 3; j++)
+                for (int j = i; j < 3; j++)
                     _second[3 * i + j] += volume * (p.Aggregate(sum[i] * sum[j], (s, q) => s + q[i] * q[j]));
             }
         }
