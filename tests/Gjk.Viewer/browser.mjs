@@ -16,9 +16,11 @@ export const FLAGS = [
   '--disable-gpu-compositing',
 ];
 
-/** How long a page may take to do what a check waits for, and the pause before it is asked again. */
-const PATIENCE_MS = 60_000,
-  PAUSE_MS = 25;
+/** How long a page may take to do what a check waits for: a slow machine with other work is no fault of a page. */
+export const PATIENCE_MS = 180_000;
+
+/** The pause before a page is asked again. */
+const PAUSE_MS = 25;
 
 /** The look that most checks use. */
 const WIDE = { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' };
@@ -32,6 +34,7 @@ export const startBrowser = () =>
 /** Opens a page from the disk, offline, and waits until it has drawn itself in its window. */
 export async function openPage(browser, file, look = WIDE, hash = '') {
   const context = await browser.newContext(look);
+  context.setDefaultTimeout(PATIENCE_MS);
   await context.setOffline(true);
   const page = await context.newPage();
   const url = pathToFileURL(file).href + hash;
@@ -88,12 +91,20 @@ export function hover(page, place, check) {
 
 const pause = () => new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
 
+/** The page of each context that decodes pictures. */
+const readers = new WeakMap();
+
 /** The colour that a screenshot shows at points, each the mean of some pixels around it. */
 export async function colorsAt(page, points, size = 3) {
   await page.evaluate(() => window.__gjk.drawNow());
-  const picture = (await page.screenshot()).toString('base64');
-  const blank = await page.context().newPage();
-  const colors = await blank.evaluate(
+  const corners = points.map((point) => ({ x: Math.round(point.x), y: Math.round(point.y) }));
+  const [left, top] = ['x', 'y'].map((axis) => Math.max(0, Math.min(...corners.map((p) => p[axis])) - size));
+  const [right, bottom] = ['x', 'y'].map((axis) => Math.max(...corners.map((p) => p[axis])) + size);
+  const clip = { x: left, y: top, width: right - left, height: bottom - top };
+  const picture = (await page.screenshot({ clip })).toString('base64');
+  const context = page.context();
+  if (!readers.has(context)) readers.set(context, await context.newPage());
+  return readers.get(context).evaluate(
     async ([base64, places, side]) => {
       const image = new Image();
       image.src = `data:image/png;base64,${base64}`;
@@ -102,7 +113,7 @@ export async function colorsAt(page, points, size = 3) {
       const context2d = canvas.getContext('2d');
       context2d.drawImage(image, 0, 0);
       return places.map(({ x, y }) => {
-        const corner = [x, y].map((at) => Math.round(at) - Math.floor(side / 2));
+        const corner = [x, y].map((at) => at - Math.floor(side / 2));
         const { data } = context2d.getImageData(...corner, side, side);
         return [0, 1, 2].map((channel) => {
           let sum = 0;
@@ -111,10 +122,8 @@ export async function colorsAt(page, points, size = 3) {
         });
       });
     },
-    [picture, points, size],
+    [picture, corners.map(({ x, y }) => ({ x: x - left, y: y - top })), size],
   );
-  await blank.close();
-  return colors;
 }
 
 export const isRed = ([r, g, b]) => r > 1.6 * g && r > 1.6 * b;

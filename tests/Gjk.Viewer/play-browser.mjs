@@ -1,15 +1,13 @@
 // A page of the playground in headless Chromium. Everything that the page complains about or fetches is recorded.
-import { chromium } from 'playwright-core';
 import { pathToFileURL } from 'node:url';
-import { FLAGS } from './browser.mjs';
+import { PATIENCE_MS, startBrowser as start, until } from './browser.mjs';
 
-/** How long a page may take to do what a check waits for, and the pause before it is asked again. */
-const PATIENCE = 60_000, PAUSE = 20;
+export { until };
 
 export async function startBrowser() {
-  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
+  const browser = await start();
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
-  context.setDefaultTimeout(PATIENCE);
+  context.setDefaultTimeout(PATIENCE_MS);
   await context.setOffline(true);
   return { browser, context };
 }
@@ -27,13 +25,4 @@ export async function openPage(context, file, hash = '') {
   await page.goto(url + hash);
   await until(page, () => Boolean(window.__gjk));
   return page;
-}
-
-/** Asks the page until it says yes: waitForFunction would evaluate a string, which the page's own policy forbids. */
-export async function until(page, predicate) {
-  const end = Date.now() + PATIENCE;
-  while (!(await page.evaluate(predicate))) {
-    if (Date.now() > end) throw new Error(`never came true: ${predicate}`);
-    await new Promise((resolve) => { setTimeout(resolve, PAUSE); });
-  }
 }

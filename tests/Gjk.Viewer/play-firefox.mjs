@@ -7,11 +7,12 @@ import { createConnection } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { PATIENCE_MS } from './browser.mjs';
 import { check } from './check.mjs';
 import { readCsv } from './csv.mjs';
 import { assertSame, distanceRow } from './play-answers.mjs';
 
-const PORT = 2871, PATIENCE = 60000;
+const PORT = 2871;
 
 const SCRIPT = `const [pairs, done] = arguments;
   const ask = () => {
@@ -32,7 +33,7 @@ export async function checkFirefox(folder) {
       const rows = readCsv(join(folder, 'shapes.csv'));
       const remote = await connect(browser);
       await remote('WebDriver:NewSession', {});
-      await remote('WebDriver:SetTimeouts', { script: PATIENCE, pageLoad: PATIENCE });
+      await remote('WebDriver:SetTimeouts', { script: PATIENCE_MS, pageLoad: PATIENCE_MS });
       await remote('WebDriver:Navigate', { url: pathToFileURL(resolve(folder, 'play-shapes.html')).href });
       const pairs = JSON.stringify(rows.map(({ a, b }) => [a, b]));
       const { value } = await remote('WebDriver:ExecuteAsyncScript', { script: SCRIPT, args: [pairs] });
@@ -57,7 +58,7 @@ function find(name) {
 
 /** A function that sends a command and gives its result. */
 async function connect(browser) {
-  const end = Date.now() + PATIENCE;
+  const end = Date.now() + PATIENCE_MS;
   let socket = null;
   while (!socket) {
     assert.ok(Date.now() < end && browser.exitCode === null, 'Firefox does not start');

@@ -5,8 +5,7 @@ import { createServer } from 'node:http';
 import { readFileSync, readdirSync, statSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { extname, join, resolve } from 'node:path';
-import { chromium } from 'playwright-core';
-import { FLAGS } from './browser.mjs';
+import { PATIENCE_MS, startBrowser } from './browser.mjs';
 import { check, finish } from './check.mjs';
 import { LOOKS, faultsOfLook } from './looks.mjs';
 
@@ -28,26 +27,31 @@ const server = createServer((request, response) => {
   const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
   const file = join(site, path.endsWith('/') ? path + 'index.html' : path);
   const found = [file, file + '.html'].find((f) => f.startsWith(site) && isFile(f));
-  response.writeHead(found ? 200 : 404, { 'Content-Type': TYPES[extname(found ?? '')] ?? 'application/octet-stream' });
+  response.writeHead(found ? 200 : 404, {
+    'Content-Type': TYPES[extname(found ?? '')] ?? 'application/octet-stream',
+    'Cache-Control': 'max-age=3600',
+  });
   response.end(found ? readFileSync(found) : 'not found');
 });
 await new Promise((done) => server.listen(0, '127.0.0.1', done));
 const origin = `http://127.0.0.1:${server.address().port}`;
 
 const pages = files(site).filter((file) => file.endsWith('.html') && !/(^|\/)(404|play)\.html$/.test(file));
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, headless: true, args: FLAGS });
+const browser = await startBrowser();
 const links = new Map();
 const context = await browser.newContext({ viewport: SIZES.wide });
+context.setDefaultTimeout(PATIENCE_MS);
 await check('every picture is legible', () => lookAtPictures(context));
-// Each core has a page to open.
+// Each core has a tab, which opens one page after another: a new tab is a new process, and starts with nothing compiled.
 const waiting = [...pages];
-await Promise.all(Array.from({ length: availableParallelism() + 1 }, async () => {
+await Promise.all(Array.from({ length: availableParallelism() }, async () => {
+  const tab = await context.newPage();
   while (waiting.length) {
     const page = waiting.shift();
-    await check(`${page} is whole, wide and narrow`, () => look(context, page));
+    await check(`${page} is whole, wide and narrow`, () => look(tab, page));
   }
+  await tab.close();
 }));
-await context.close();
 
 await check('no link is dead', async () => {
   const dead = [];
@@ -62,7 +66,8 @@ await check('no link is dead', async () => {
 });
 
 await check('the search finds a page', async () => {
-  const page = await (await browser.newContext({ viewport: SIZES.wide })).newPage();
+  const page = await context.newPage();
+  await page.setViewportSize(SIZES.wide);
   await page.goto(origin);
   await page.locator('#local-search button').click();
   await page.locator('.search-input').fill('epsilon');
@@ -72,13 +77,14 @@ await browser.close();
 server.close();
 finish();
 
-async function look(context, name) {
-  const page = await context.newPage();
+async function look(page, name) {
   const complaints = [];
   page.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()); });
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('response', (response) => { if (!response.ok()) complaints.push(`${response.status()} ${response.url()}`); });
   page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(origin)) complaints.push(`fetched ${request.url()}`); });
+  await page.setViewportSize(SIZES.wide);
+  await page.emulateMedia({ colorScheme: 'light' });
   await page.goto(`${origin}/${name.replace(/\.html$/, '')}`.replace(/index$/, ''), { waitUntil: 'load' });
   await page.locator('.VPDoc, .VPHome').first().waitFor();
   // What slides or fades away when the size changes is away at once.
@@ -97,7 +103,7 @@ async function look(context, name) {
     if (name.startsWith(WITH_FIGURES)) await waitForFigures(page);
     if (KEPT.includes(plain)) await page.screenshot({ path: join(pictures, `${plain.replaceAll('/', '-')}-${size}.png`) });
   }
-  await page.close();
+  for (const event of ['console', 'pageerror', 'response', 'request']) page.removeAllListeners(event);
   assert.deepEqual(complaints, []);
 }
 

@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { PATIENCE_MS } from './browser.mjs';
 import { openPage, startBrowser, until } from './play-browser.mjs';
 import { check, finish } from './check.mjs';
 import { demo } from './play-demo.mjs';
@@ -24,7 +25,7 @@ const study = isLong ? 'study' : 'study-short', deviceScaleFactor = isLong ? 1 :
 const screens = [['wide', { width: 1280, height: 800 }, false], ['phone', { width: 390, height: 844 }, true]];
 await Promise.all(screens.map(async ([name, viewport, hasTouch]) => {
   const context = await browser.newContext({ viewport, deviceScaleFactor, hasTouch, acceptDownloads: true });
-  context.setDefaultTimeout(60_000);
+  context.setDefaultTimeout(PATIENCE_MS);
   await context.setOffline(true);
   await check(`study: ${name}: a study, closed half-way, loses nothing`, () =>
     whole(context, { name, isTouch: hasTouch, width: viewport.width }));
@@ -38,7 +39,7 @@ finish();
 
 async function opened(page = join(folder, 'study-looks.html')) {
   const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, deviceScaleFactor });
-  context.setDefaultTimeout(60_000);
+  context.setDefaultTimeout(PATIENCE_MS);
   const opened = await openPage(context, page);
   await ready(opened);
   return new Observer({ page: opened, isTouch: false, keep: async () => {} });
