@@ -91,7 +91,7 @@ export function hover(page, place, check) {
 
 const pause = () => new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
 
-/** The page of each context that decodes pictures. */
+/** The page of each browser that decodes pictures, in a context of its own: it must not cover what is looked at. */
 const readers = new WeakMap();
 
 /** The colour that a screenshot shows at points, each the mean of some pixels around it. */
@@ -102,9 +102,10 @@ export async function colorsAt(page, points, size = 3) {
   const [right, bottom] = ['x', 'y'].map((axis) => Math.max(...corners.map((p) => p[axis])) + size);
   const clip = { x: left, y: top, width: right - left, height: bottom - top };
   const picture = (await page.screenshot({ clip })).toString('base64');
-  const context = page.context();
-  if (!readers.has(context)) readers.set(context, await context.newPage());
-  return readers.get(context).evaluate(
+  const browser = page.context().browser();
+  if (!readers.has(browser)) readers.set(browser, browser.newContext().then((context) => context.newPage()));
+  const reader = await readers.get(browser);
+  return reader.evaluate(
     async ([base64, places, side]) => {
       const image = new Image();
       image.src = `data:image/png;base64,${base64}`;
