@@ -1,4 +1,8 @@
 // A minimal test runner. It runs named checks in order, says how long each took, and prints a line with their counts.
+
+/** Whether there is time for the same checks on more of the same kind: each page that draws costs seconds to open. */
+export const isLong = process.env.GJK_LONG === '1';
+
 let passed = 0,
   failed = 0;
 

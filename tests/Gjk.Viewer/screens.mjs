@@ -2,13 +2,13 @@
 // from green.
 import assert from 'node:assert/strict';
 import { colorsAt, eventually, settled } from './browser.mjs';
-import { check } from './check.mjs';
+import { check, isLong } from './check.mjs';
 
 const SIZES = { wide: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
 
 export async function checkScreens({ open, keep }) {
   // What nobody looks at need not be drawn.
-  if (process.env.GJK_LONG === '1') await checkLooks({ open, keep });
+  if (isLong) await checkLooks({ open, keep });
   await checkDeuteranopia({ open, keep });
 }
 

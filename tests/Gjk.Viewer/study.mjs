@@ -6,7 +6,7 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { PATIENCE_MS } from './browser.mjs';
 import { openPage, startBrowser, until } from './play-browser.mjs';
-import { check, finish } from './check.mjs';
+import { check, finish, isLong } from './check.mjs';
 import { demo } from './play-demo.mjs';
 import { Observer, ready } from './study-observer.mjs';
 
@@ -20,7 +20,6 @@ if (existsSync(join(folder, 'study.js'))) {
 
 const { browser } = await startBrowser();
 
-const isLong = process.env.GJK_LONG === '1';
 const study = isLong ? 'study' : 'study-short', deviceScaleFactor = isLong ? 1 : 0.5;
 const screens = [['wide', { width: 1280, height: 800 }, false], ['phone', { width: 390, height: 844 }, true]];
 await Promise.all(screens.map(async ([name, viewport, hasTouch]) => {

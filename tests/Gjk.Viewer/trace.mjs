@@ -2,14 +2,14 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { colorsAt, eventually } from './browser.mjs';
-import { check } from './check.mjs';
+import { check, isLong } from './check.mjs';
 import { readCsv } from './csv.mjs';
 import { counts, numbers, text } from './read.mjs';
 
 export async function checkTraces(tools) {
   await checkApart(tools);
   await checkHit(tools);
-  await (await traced(tools, 'trace-round', 'Separated')).close();
+  if (isLong) await (await traced(tools, 'trace-round', 'Separated')).close();
   await checkDepth(tools);
 }
 
@@ -90,10 +90,11 @@ async function checkHit(tools) {
 
 async function checkDepth(tools) {
   const depths = readCsv(join(tools.folder, 'deep.csv'));
-  for (const [name, b] of [
+  const traces = [
     ['trace-deep', 1],
     ['trace-margin', 2],
-  ]) {
+  ];
+  for (const [name, b] of isLong ? traces : traces.slice(0, 1)) {
     const page = await traced(tools, name, 'Overlapping');
     const depth = -depths.find((row) => row.a === 0 && row.b === b).distance;
     await check(`${name}: the depth is that of query`, async () => {
