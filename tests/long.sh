@@ -18,7 +18,7 @@ counts-netstandard   70  the same on netstandard, with the tests that the quick 
 counts-others        15  the other projects of tests
 mutants              60  a sample of changed lines, each of which a test should notice
 fuzz                 60  random pairs against every promise
-viewer               10  the pages in Chromium and Firefox, two whole studies, pictures to look at
+viewer               10  the pages in Chromium and Firefox, two whole studies, all traces, pictures to look at
 arm64                10  hard pairs and golden hashes on emulated 64-bit ARM
 mono                  5  the Unity package compiled ahead of time, and without any JIT
 debug                20  the tests of a debug build, with its assertions

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Opens the pages that the demo writes in headless Chromium and uses them. It installs what it needs if it can.
 # Otherwise it prints that it was skipped and exits with 0. --no-build takes the Release build of the demo that is there.
-# With GJK_LONG=1 also in Firefox, with pictures to look at, two whole studies and more traces. Screenshots are kept in TestResults/ beside this script.
+# With GJK_LONG=1 also in Firefox, with pictures to look at, two whole studies and more traces. Screenshots are kept in
+# TestResults/ beside this script.
 set -euo pipefail
 cd "$(dirname "$0")"
 
