@@ -63,7 +63,6 @@ internal readonly struct DoubleDouble(double high, double low = 0)
     }
 
     /// <summary>|a| &gt;= |b| is known.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static DoubleDouble Quick(double a, double b)
     {
         double s = a + b;

@@ -87,6 +87,5 @@ internal readonly struct AxisScale
     }
 
     /// <summary>Scales a point outward.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Double3 Outward(in Double3 point) => Double3.Multiply(Factors, point);
 }

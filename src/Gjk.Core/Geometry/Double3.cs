@@ -105,11 +105,6 @@ public readonly struct Double3 : IEquatable<Double3>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 operator +(in Double3 a, in Double3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
-    /// <summary>a + b s, in one step: Mono clears and copies what each step makes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void Plus(in Double3 a, in Double3 b, double s, out Double3 sum) =>
-        Write(a.X + b.X * s, a.Y + b.Y * s, a.Z + b.Z * s, out sum);
-
     /// <summary>From one position to another.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void Between(in Vector3 from, in Vector3 to, out Double3 way) =>

@@ -37,38 +37,12 @@ internal struct RotationD
     }
 
 #if NET
-    /// <summary>The image of the x axis, and a 0.</summary>
-    public Vector256<double> Column0
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        readonly get => Vector256.LoadUnsafe(in M00);
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        set => value.StoreUnsafe(ref M00);
-    }
+    /// <summary>The columns, each with a 0 below it.</summary>
+    public readonly ref Xyz Column0 => ref Unsafe.As<double, Xyz>(ref Unsafe.AsRef(in M00));
 
-    /// <summary>The image of the y axis, and a 0.</summary>
-    public Vector256<double> Column1
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        readonly get => Vector256.LoadUnsafe(in M01);
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        set => value.StoreUnsafe(ref M01);
-    }
+    public readonly ref Xyz Column1 => ref Unsafe.As<double, Xyz>(ref Unsafe.AsRef(in M01));
 
-    /// <summary>The image of the z axis, and a 0.</summary>
-    public Vector256<double> Column2
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        readonly get => Vector256.LoadUnsafe(in M02);
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        set => value.StoreUnsafe(ref M02);
-    }
-#else
-    public readonly Double3 Column0 => new(M00, M10, M20);
-
-    public readonly Double3 Column1 => new(M01, M11, M21);
-
-    public readonly Double3 Column2 => new(M02, M12, M22);
+    public readonly ref Xyz Column2 => ref Unsafe.As<double, Xyz>(ref Unsafe.AsRef(in M02));
 #endif
 
     /// <summary>The inverse.</summary>

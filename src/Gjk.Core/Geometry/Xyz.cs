@@ -11,17 +11,21 @@ namespace Gjk.Core;
 internal static class XyzExtensions
 {
 #if NET
+    /// <summary>The signs of the first three lanes.</summary>
+    public static Xyz SignBits
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector256.Create(-0.0, -0.0, -0.0, 0);
+    }
+
     /// <summary>The first three lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 ToDouble3(this Xyz v) => new(v.ToScalar(), v.GetElement(1), v.GetElement(2));
 
     /// <summary>Rounded to float.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Round(this in Xyz v, out Vector3 rounded) => rounded = v.ToSingle();
-
-    /// <summary>Rounded to float, as a value.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 ToSingle(this Xyz v) => Vector128.Narrow(v.GetLower(), v.GetUpper()).AsVector3();
+    public static void Round(this in Xyz v, out Vector3 rounded) =>
+        rounded = Vector128.Narrow(v.GetLower(), v.GetUpper()).AsVector3();
 
     /// <summary>The vector with a 0 behind it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -45,11 +49,7 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Times(this in Xyz v, double s, out Xyz product) => product = v * s;
 
-    /// <summary>-v.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Opposite(this in Double3 v, out Xyz opposite) => opposite = (-v).ToXyz();
-
-    /// <summary>v + w s, in one step: Mono clears and copies what a step makes.</summary>
+    /// <summary>v + w s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Plus(this Xyz v, Xyz w, double s, out Xyz sum) => sum = v + w * s;
 
@@ -114,8 +114,6 @@ internal static class XyzExtensions
 #else
     public static Double3 ToDouble3(this Double3 v) => v;
 
-    public static Vector3 ToSingle(this in Double3 v) => (Vector3)v;
-
     public static void Round(this in Double3 v, out Vector3 rounded)
     {
         rounded.X = (float)v.X;
@@ -135,10 +133,6 @@ internal static class XyzExtensions
         Double3.Write(v.X * s, v.Y * s, v.Z * s, out product);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Opposite(this in Double3 v, out Double3 opposite) =>
-        Double3.Write(-v.X, -v.Y, -v.Z, out opposite);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Rotate(this in RotationD matrix, in Double3 v, out Double3 turned)
     {
         matrix.Rotate(v, out double x, out double y, out double z);
@@ -153,9 +147,6 @@ internal static class XyzExtensions
         Double3.Write(
             from.X - (x + translation.X), from.Y - (y + translation.Y), from.Z - (z + translation.Z), out difference);
     }
-
-    public static void Plus(this in Double3 v, in Double3 w, double s, out Double3 sum) =>
-        Double3.Write(v.X + w.X * s, v.Y + w.Y * s, v.Z + w.Z * s, out sum);
 
     public static void OnSurface(
         this in Double3 onCore, in Double3 normal, double margin, in Double3 center, double unit, out Double3 point) =>
@@ -175,4 +166,9 @@ internal static class XyzExtensions
         Double3.Write(-x, -y, -z, out opposite);
     }
 #endif
+
+    /// <summary>v + w s, in one step: Mono clears and copies what a step makes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Plus(this in Double3 v, in Double3 w, double s, out Double3 sum) =>
+        Double3.Write(v.X + w.X * s, v.Y + w.Y * s, v.Z + w.Z * s, out sum);
 }

@@ -114,13 +114,17 @@ internal struct PairFrame
     /// <summary>Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the
     /// composition.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Compose<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame)
+    public static void Compose<TA, TB>(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame, Placement? placedA = null,
+        Placement? placedB = null)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         PoseComposition.Compose(
-            poseA, poseB, out frame.RotationA, out frame.Rotation, out frame.Inverse, out frame._areRotations);
-        Double3 centerA = a.Center, centerB = b.Center;
+            poseA, poseB, placedA, placedB, out frame.RotationA, out frame.Rotation, out frame.Inverse,
+            out frame._areRotations);
+        Double3 centerA = placedA is null ? a.Center : placedA.CenterInCore;
+        Double3 centerB = placedB is null ? b.Center : placedB.CenterInCore;
         Double3.Write(centerA.X, centerA.Y, centerA.Z, out frame.CenterA);
         Double3.Write(centerB.X, centerB.Y, centerB.Z, out frame.CenterB);
         frame.RadiusA = a.BoundingRadius;
@@ -128,15 +132,16 @@ internal struct PairFrame
         frame.MarginA = a.Margin;
         frame.MarginB = b.Margin;
         frame.Unit = 1;
-        frame.IsPlaced = false;
+        frame.IsPlaced = placedA is not null || placedB is not null;
         Uncleared.Begin(out frame._turnA);
         Uncleared.Begin(out frame._turnB);
+        if (frame.IsPlaced) SetTurns(placedA, placedB, ref frame._turnA, ref frame._turnB);
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         if (offset == 0 || !(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
             Double3.Between(poseA.Position, poseB.Position, out Double3 between);
             frame.RotationA.InverseRotate(between, out double x, out double y, out double z);
-            if (offset != 0)
+            if (offset != 0 || frame.IsPlaced)
             {
                 frame.Rotation.Rotate(centerB, out double toX, out double toY, out double toZ);
                 x += toX - centerA.X;
@@ -148,7 +153,8 @@ internal struct PairFrame
         }
         else
         {
-            frame.Translation = frame.RotationA.InverseRotate(BetweenFarCenters(poseA, poseB, centerA, centerB));
+            Double3 far = BetweenFarCenters(poseA, poseB, a.Center, b.Center, placedA, placedB);
+            frame.Translation = frame.RotationA.InverseRotate(far);
         }
 
         frame.Magnitude = radius + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
@@ -207,15 +213,16 @@ internal struct PairFrame
         in RigidPose poseA, in Double3 centerA, in RigidPose poseB, in Double3 centerB)
     {
         if (centerA.SumOfMagnitudes + centerB.SumOfMagnitudes != 0)
-            return BetweenFarCenters(poseA, poseB, centerA, centerB);
+            return BetweenFarCenters(poseA, poseB, centerA, centerB, null, null);
         Double3.Between(poseA.Position, poseB.Position, out Double3 between);
         return between;
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Double3 BetweenFarCenters(
-        in RigidPose poseA, in RigidPose poseB, in VectorDD centerA, in VectorDD centerB)
+        in RigidPose poseA, in RigidPose poseB, in Double3 inA, in Double3 inB, Placement? placedA, Placement? placedB)
     {
+        VectorDD centerA = placedA?.ExactCenter ?? inA, centerB = placedB?.ExactCenter ?? inB;
         VectorDD between = (VectorDD)(Double3)poseB.Position - (Double3)poseA.Position;
         between += VectorDD.Rotate(poseB.Rotation, centerB) - VectorDD.Rotate(poseA.Rotation, centerA);
         var rounded = (Double3)between;
@@ -223,38 +230,10 @@ internal struct PairFrame
         return rounded.SumOfMagnitudes > error ? rounded : default;
     }
 
-    /// <summary>The same for cores of which one is placed in its shape's frame, in the cores' axes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void ComposePlaced<TA, TB>(
-        ref TA a, in RigidPose poseA, Placement? placedA, ref TB b, in RigidPose poseB, Placement? placedB,
-        out PairFrame frame)
-        where TA : struct, ISupportMap
-        where TB : struct, ISupportMap
-    {
-        Placement inA = placedA ?? Placement.None, inB = placedB ?? Placement.None;
-        PoseComposition.Compose(
-            poseA, inA.Turn, poseB, inB.Turn, out frame.RotationA, out frame.Rotation, out frame.Inverse,
-            out frame._areRotations);
-        (frame.IsPlaced, frame.Unit, frame._turnA, frame._turnB) = (true, 1, inA.Turn, inB.Turn);
-        frame.CenterA = placedA is null ? a.Center : inA.CenterInCore;
-        frame.CenterB = placedB is null ? b.Center : inB.CenterInCore;
-        (frame.RadiusA, frame.RadiusB) = (a.BoundingRadius, b.BoundingRadius);
-        (frame.MarginA, frame.MarginB) = (a.Margin, b.Margin);
-        double offset = frame.CenterA.SumOfMagnitudes + frame.CenterB.SumOfMagnitudes;
-        if (!(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
-        {
-            frame.Translation = frame.RotationA.InverseRotate((Double3)poseB.Position - poseA.Position)
-                + (frame.Rotation.Rotate(frame.CenterB) - frame.CenterA);
-        }
-        else
-        {
-            frame.Translation = frame.RotationA.InverseRotate(
-                BetweenFarCenters(poseA, poseB, placedA?.ExactCenter ?? a.Center, placedB?.ExactCenter ?? b.Center));
-        }
-
-        frame.Magnitude =
-            frame.RadiusA + frame.RadiusB + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
-    }
+    private static void SetTurns(
+        Placement? placedA, Placement? placedB, ref QuaternionD turnA, ref QuaternionD turnB) =>
+        (turnA, turnB) = ((placedA ?? Placement.None).Turn, (placedB ?? Placement.None).Turn);
 
     /// <summary>The rotation of A's core in A's frame; null where neither core is placed.</summary>
     public readonly QuaternionD? TurnOfA => IsPlaced ? _turnA : null;

@@ -3,54 +3,36 @@ namespace Gjk.Core;
 /// <summary>The rotations of a pair: A's in the world, B's seen from A, and back.</summary>
 internal static class PoseComposition
 {
+    /// <param name="poseA">A's pose.</param>
+    /// <param name="poseB">B's pose.</param>
+    /// <param name="placedA">Where A's core is turned inside the pose; else null.</param>
+    /// <param name="placedB">The same for B's core.</param>
+    /// <param name="rotationA">From A's axes to the world's.</param>
+    /// <param name="rotation">From B's axes to A's.</param>
+    /// <param name="inverse">From A's axes to B's.</param>
+    /// <param name="areRotations">Whether both quaternions are of unit length.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Compose(
-        in RigidPose poseA, in RigidPose poseB, out RotationD rotationA, out RotationD rotation, out RotationD inverse,
-        out bool areRotations)
+        in RigidPose poseA, in RigidPose poseB, Placement? placedA, Placement? placedB, out RotationD rotationA,
+        out RotationD rotation, out RotationD inverse, out bool areRotations)
     {
 #if NET
         if (Avx2.IsSupported)
         {
-            Vector256<double> a = Lanes(poseA), b = Lanes(poseB);
-            ComposeLanes(a, b, NormsOf(a, b), out rotationA, out rotation, out inverse, out areRotations);
+            ComposeLanes(poseA, poseB, placedA, placedB, out rotationA, out rotation, out inverse, out areRotations);
             return;
         }
 #endif
         QuaternionD.Widen(poseA.Rotation, out QuaternionD qa);
         QuaternionD.Widen(poseB.Rotation, out QuaternionD qb);
-        Compose(qa, qb, qa.LengthSquared, qb.LengthSquared, out rotationA, out rotation, out inverse, out areRotations);
-    }
-
-    /// <summary>The same for axes that are turned inside the poses.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Compose(
-        in RigidPose poseA, in QuaternionD turnA, in RigidPose poseB, in QuaternionD turnB, out RotationD rotationA,
-        out RotationD rotation, out RotationD inverse, out bool areRotations)
-    {
-#if NET
-        if (Avx2.IsSupported)
+        double normA = qa.LengthSquared, normB = qb.LengthSquared, one = 1 / (normA * normB);
+        if (placedA is not null || placedB is not null)
         {
-            Vector256<double> a = Lanes(poseA), b = Lanes(poseB);
-            ComposeLanes(
-                ConjugateTimes(a ^ XyzSigns, Vector256.LoadUnsafe(in turnA.X)),
-                ConjugateTimes(b ^ XyzSigns, Vector256.LoadUnsafe(in turnB.X)), NormsOf(a, b),
-                out rotationA, out rotation, out inverse, out areRotations);
-            return;
+            Turn(ref qa, placedA);
+            Turn(ref qb, placedB);
         }
-#endif
-        QuaternionD qa = poseA.Rotation, qb = poseB.Rotation;
-        Compose(
-            qa * turnA, qb * turnB, qa.LengthSquared, qb.LengthSquared, out rotationA, out rotation, out inverse,
-            out areRotations);
-    }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Compose(
-        in QuaternionD qa, in QuaternionD qb, double normA, double normB, out RotationD rotationA,
-        out RotationD rotation, out RotationD inverse, out bool areRotations)
-    {
         double ax = qa.X, ay = qa.Y, az = qa.Z, aw = qa.W, bx = qb.X, by = qb.Y, bz = qb.Z, bw = qb.W;
-        double one = 1 / (normA * normB);
         RotationD.Set(out rotationA, ax, ay, az, aw, 2 * normB * one);
         RotationD.Set(
             out rotation,
@@ -63,17 +45,22 @@ internal static class PoseComposition
         areRotations = RigidPose.IsUnit(normA) && RigidPose.IsUnit(normB);
     }
 
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Turn(ref QuaternionD q, Placement? placed) => q *= (placed ?? Placement.None).Turn;
+
 #if NET
     /// <summary>The lanes of a quaternion in the orders that its products need.</summary>
     private const byte Yzx = 0b11_00_10_01, Zxy = 0b11_01_00_10, AllW = 0b11_11_11_11;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ComposeLanes(
-        Vector256<double> a, Vector256<double> b, Vector128<double> norms, out RotationD rotationA,
+        in RigidPose poseA, in RigidPose poseB, Placement? placedA, Placement? placedB, out RotationD rotationA,
         out RotationD rotation, out RotationD inverse, out bool areRotations)
     {
+        Vector256<double> a = Lanes(poseA), b = Lanes(poseB);
+        Vector128<double> norms = NormsOf(a, b);
         double normA = norms.ToScalar(), normB = norms.GetElement(1), one = 1 / (normA * normB);
-
+        if (placedA is not null || placedB is not null) (a, b) = (Turned(a, placedA), Turned(b, placedB));
         Vector256<double> q = ConjugateTimes(a, b);
         Diagonals(
             a, Avx2.Permute4x64(a, AllW), 2 * normB * one, out Vector256<double> main, out Vector256<double> below,
@@ -93,6 +80,9 @@ internal static class PoseComposition
         Avx.ConvertToVector256Double(Vector128.LoadUnsafe(in pose.Rotation.X));
 
     /// <summary>The squared lengths, ((x² + y²) + z²) + w².</summary>
+    private static Vector256<double> Turned(Vector256<double> q, Placement? placed) =>
+        ConjugateTimes(q ^ XyzExtensions.SignBits, Vector256.LoadUnsafe(in (placed ?? Placement.None).Turn.X));
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<double> NormsOf(Vector256<double> a, Vector256<double> b)
     {
@@ -101,18 +91,11 @@ internal static class PoseComposition
         return even.GetLower() + odd.GetLower() + even.GetUpper() + odd.GetUpper();
     }
 
-    private static Vector256<double> XyzSigns
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Vector256.Create(-0.0, -0.0, -0.0, 0);
-    }
-
-    /// <summary>The product of A's conjugate and B.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<double> ConjugateTimes(Vector256<double> a, Vector256<double> b) =>
         Avx2.Permute4x64(a, AllW) * b
-            + (Avx2.Permute4x64(a, 0b00_10_01_00) ^ XyzSigns) * Avx2.Permute4x64(b, 0b00_11_11_11)
-            + (Avx2.Permute4x64(a, 0b01_00_10_01) ^ XyzSigns) * Avx2.Permute4x64(b, 0b01_01_00_10)
+            + (Avx2.Permute4x64(a, 0b00_10_01_00) ^ XyzExtensions.SignBits) * Avx2.Permute4x64(b, 0b00_11_11_11)
+            + (Avx2.Permute4x64(a, 0b01_00_10_01) ^ XyzExtensions.SignBits) * Avx2.Permute4x64(b, 0b01_01_00_10)
             + Avx2.Permute4x64(a, 0b10_01_00_10) * Avx2.Permute4x64(b, 0b10_00_10_01);
 
     /// <summary>A rotation matrix by its diagonals (00 11 22), (10 21 02) and (01 12 20), which is how it comes out of

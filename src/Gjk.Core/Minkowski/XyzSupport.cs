@@ -7,12 +7,6 @@ internal static class XyzSupport
 {
 #if NET
     private const int XyzBits = 7;
-
-    private static Xyz SignBits
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Vector256.Create(-0.0, -0.0, -0.0, 0);
-    }
 #endif
 
     /// <summary>The point furthest in a direction, and its id or -1.</summary>
@@ -24,7 +18,7 @@ internal static class XyzSupport
         int id;
         if (typeof(T) == typeof(HullCore))
         {
-            point = Unsafe.As<T, HullCore>(ref shape).Support(direction.ToDouble3(), out id);
+            point = HullCore.Support(Unsafe.As<T, HullCore>(ref shape).Hull, direction.ToDouble3(), out id);
         }
         else if (typeof(T) == typeof(SegmentCore))
         {
@@ -42,7 +36,7 @@ internal static class XyzSupport
             ref BoxCore box = ref Unsafe.As<T, BoxCore>(ref shape);
             Xyz negative = Vector256.LessThan(direction, Xyz.Zero);
             id = box.Corners.Id((int)negative.ExtractMostSignificantBits() & XyzBits);
-            point = box.Half.Lanes ^ (negative & SignBits);
+            point = box.Half.Lanes ^ (negative & XyzExtensions.SignBits);
         }
         else
         {
@@ -64,8 +58,9 @@ internal static class XyzSupport
 #if NET
         if (typeof(T) == typeof(HullCore))
         {
-            vertex = Unsafe.As<T, HullCore>(ref shape).Lanes(id);
-            return Unsafe.As<T, HullCore>(ref shape).Has(id);
+            ConvexHull hull = Unsafe.As<T, HullCore>(ref shape).Hull;
+            vertex = HullCore.Lanes(hull, id);
+            return (uint)id < (uint)hull.VertexCount;
         }
 
         if (typeof(T) == typeof(BoxCore) && Vector256.IsHardwareAccelerated)
@@ -89,6 +84,6 @@ internal static class XyzSupport
     private static Xyz SignsOf(int bits) =>
         Vector256.Equals(
             Vector256.Create((long)bits) & Vector256.Create(1L, 2, 4, 0), Vector256.Create(1L, 2, 4, -1)).AsDouble()
-        & SignBits;
+        & XyzExtensions.SignBits;
 #endif
 }

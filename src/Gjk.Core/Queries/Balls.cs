@@ -43,18 +43,18 @@ internal static class Balls
         // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
         double share = touching && !isSigned && margins > 0 ? root / margins : 1;
         double reachA = share * marginA, reachB = share * marginB;
-        Double3.Plus(Place(poseA, centerA), normal, reachA, out Double3 worldA);
-        Double3.Plus(worldA, normal, gap, out Double3 worldB);
+        Place(poseA, centerA).Plus(normal, reachA, out Double3 worldA);
+        worldA.Plus(normal, gap, out Double3 worldB);
         bool isFromB = DistanceFinish.IsSmallerB(marginA, marginB, centerB, DistanceFinish.MuchSmaller)
             || DistanceFinish.IsFarApart(gap, marginB, centerB);
         if (isFromB)
         {
-            Double3.Plus(Place(poseB, centerB), normal, -reachB, out worldB);
-            if (!DistanceFinish.IsFarApart(gap, marginA, centerA)) Double3.Plus(worldB, normal, -gap, out worldA);
+            Place(poseB, centerB).Plus(normal, -reachB, out worldB);
+            if (!DistanceFinish.IsFarApart(gap, marginA, centerA)) worldB.Plus(normal, -gap, out worldA);
         }
 
-        Double3.Plus(centerA, inA, reachA, out Double3 localA);
-        Double3.Plus(centerB, inB, -reachB, out Double3 localB);
+        centerA.Plus(inA, reachA, out Double3 localA);
+        centerB.Plus(inB, -reachB, out Double3 localB);
         float bound = 0;
         if (!touching || isSigned)
         {

@@ -26,8 +26,7 @@ internal static class DistanceFinish
             return;
         }
 
-        state.Simplex.PointOnA(state.Weights, out Xyz onA);
-        state.Simplex.PointOnB(state.Weights, out Xyz onB);
+        state.Simplex.Points(state.Weights, out Xyz onA, out Xyz onB);
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = Proofs.DistanceOf(state, frame, scale);
         state.Feature.Normal.ToXyz().Times(scale, out Xyz toA);
         Xyz toAInB = default;
@@ -116,7 +115,7 @@ internal static class DistanceFinish
             ? ToWorld(poseB, outerB.ToDouble3())
             : frame.RotationA.Rotate(localA.ToDouble3()) + poseA.Position);
         result = new DistanceResult(
-            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, outerA.ToSingle(), outerB.ToSingle(),
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)outerA.ToDouble3(), (Vector3)outerB.ToDouble3(),
             state.Iterations);
     }
 
@@ -128,8 +127,7 @@ internal static class DistanceFinish
         if (state.Verdict == Verdict.Beyond) WriteBeyond(state, frame, out result);
         else result = DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
         if (state.Verdict != Verdict.Enclosed) return;
-        state.Simplex.PointOnA(state.Weights, out Xyz onA);
-        state.Simplex.PointOnB(state.Weights, out Xyz onB);
+        state.Simplex.Points(state.Weights, out Xyz onA, out Xyz onB);
         Common(state, frame, poseA, poseB, onA, onB, out result);
     }
 

@@ -53,7 +53,7 @@ internal unsafe struct DistanceSolver<TTrace>(
         else state.Feature.Normal = frame.FirstNormal;
         ProvedDistance.Solve(ref a, ref b, frame, reach, _warm != null, ref state, ref Trace);
         if (_warm != null) _warm->Keep(state);
-        SideNormal<TA, TB>.Sharpen(ref a, ref b, frame, ref state, ref Trace);
+        SideNormal<TA, TB, TTrace>.Sharpen(ref a, ref b, frame, ref state, ref Trace);
     }
 
     readonly void IPairSolver<DistanceResult>.Finish(

@@ -85,15 +85,8 @@ internal struct HalfSpacePair
     {
         pair = default;
         PointShape origin = default;
-        if (CoreOf.IsPlaced(ref other))
-        {
-            PairFrame.ComposePlaced(
-                ref origin, pose, null, ref core, otherPose, ShapeTraits<T>.Of.PlacementOf(ref other), out pair.Frame);
-        }
-        else
-        {
-            PairFrame.Compose(ref origin, pose, ref core, otherPose, out pair.Frame);
-        }
+        Placement? placed = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Of.PlacementOf(ref other) : null;
+        PairFrame.Compose(ref origin, pose, ref core, otherPose, out pair.Frame, null, placed);
 
         if (!ShapeTraits<T>.AreTight) pair.Frame.TightenRadii(ref origin, ref other);
         HalfSpaceCore plane = halfSpace.AsHalfSpace;
@@ -237,7 +230,7 @@ internal struct HalfSpacePair
         if (isCommon) normal = default;
         var found = new DistanceResult(
             Status, (float)gap, bound, (Vector3)(onOther - normal * gap), (Vector3)onOther, (Vector3)normal,
-            (Vector3)(isCommon ? OnOther : Foot), LocalOnOther.ToSingle(), 1);
+            (Vector3)(isCommon ? OnOther : Foot), (Vector3)LocalOnOther.ToDouble3(), 1);
         return IsSwapped ? found.Swapped : found;
     }
 }

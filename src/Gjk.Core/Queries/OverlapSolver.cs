@@ -69,7 +69,7 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
         double reach = ProvedDistance.CoreReach(0, frame);
         state.Feature.Normal = frame.FirstNormal;
         ProvedDistance.Solve(ref a, ref b, frame, reach, false, ref state, ref trace);
-        SideNormal<TA, TB>.Sharpen(ref a, ref b, frame, ref state, ref trace);
+        SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref trace);
         if (state.Verdict != Verdict.Apart) return;
         double distance = Proofs.DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));
         if (Proofs.IsTouching(state, distance)) state.Verdict = Verdict.Enclosed;

@@ -64,7 +64,7 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
             return;
         }
 
-        SignedSolver<TA, TB>.Solve(ref a, ref b, frame, ref *Warm, Warm != null, ref state, ref Trace);
+        SignedSolver<TA, TB, TTrace>.Solve(ref a, ref b, frame, ref *Warm, Warm != null, ref state, ref Trace);
         if (Touch != null && state.IsCurved && state.Verdict == Verdict.Apart)
             Touch->IsTouch = CurvedTouch<TA, TB>.TryFind(ref a, ref b, frame, state, out Touch->Found);
     }

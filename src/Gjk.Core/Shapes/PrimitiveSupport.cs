@@ -34,7 +34,7 @@ internal static class PrimitiveSupport
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Segment(in Double3 a, in Double3 b, in Double3 direction, out Double3 point)
     {
-        Double3.Plus(a, b, -1, out point);
+        a.Plus(b, -1, out point);
         int id = SegmentCore.FurthestEnd(point, direction);
         ref readonly Double3 end = ref id == 0 ? ref a : ref b;
         Double3.Write(end.X, end.Y, end.Z, out point);

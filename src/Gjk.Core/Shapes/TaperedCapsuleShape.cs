@@ -90,7 +90,7 @@ public readonly struct TaperedCapsuleShape : ISupportMap, ILibraryShape
         Double3 d = DirectionRange.IsSafe(direction.LengthSquared) ? direction : DirectionRange.ToUnit(direction);
         double length = d.Length;
         if (IsTip(d.Y, length)) point = Tip;
-        else Double3.Plus(Ball, d, _excess / length, out point);
+        else Ball.Plus(d, _excess / length, out point);
         return -1;
     }
 

@@ -94,7 +94,6 @@ internal unsafe partial struct Polytope
         return furthest;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsDirection(int vertex) => vertex >= Room;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -34,7 +34,6 @@ internal unsafe partial struct Polytope
     private static double KeyOf(double square, int slot) =>
         BitConverter.Int64BitsToDouble((BitConverter.DoubleToInt64Bits(square) & ~SlotBits) | (long)slot);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int SlotOf(double key) => (int)(BitConverter.DoubleToInt64Bits(key) & SlotBits);
 
     /// <summary>Gives new faces their normals and keys; their vertices and twins are known.</summary>

@@ -279,7 +279,6 @@ internal unsafe partial struct Polytope
         return count + rim + 3 <= MostFaces;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Next(int edge) => 9 >> (2 * edge) & 3;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

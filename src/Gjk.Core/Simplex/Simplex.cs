@@ -28,7 +28,6 @@ internal unsafe struct Simplex
     public readonly int this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
 
     /// <summary>The vertex in a slot, with its support points.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly ref DifferenceVertex At(int slot)
     {
         Debug.Assert((uint)slot < 4);
@@ -36,7 +35,6 @@ internal unsafe struct Simplex
     }
 
     /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly ref readonly Double3 W(int slot) => ref At(slot).W;
 
     /// <summary>The same with its slot, number by number.</summary>
@@ -61,7 +59,6 @@ internal unsafe struct Simplex
     public readonly int IdB(int slot) => At(slot).IdB;
 
     /// <summary>An empty simplex; the contents of the slots are not cleared where the runtime lets them be.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin(out Simplex simplex)
     {
         Uncleared.Begin(out simplex);
@@ -117,7 +114,7 @@ internal unsafe struct Simplex
     /// <summary>The weighted sum of A's support points, as a value.</summary>
     public readonly Double3 MeanOnA(in Weights w)
     {
-        PointOnA(w, out Xyz point);
+        Points(w, out Xyz point, out _);
         return point.ToDouble3();
     }
 
@@ -144,24 +141,15 @@ internal unsafe struct Simplex
         return point;
     }
 
-    /// <summary>The weighted sum of A's support points.</summary>
+    /// <summary>The weighted sums of the support points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnA(in Weights w, out Xyz point)
+    public readonly void Points(in Weights w, out Xyz onA, out Xyz onB)
     {
-        At(A).OnA.Load().Times(w.A, out point);
-        if (Count > 1) point.Plus(At(B).OnA.Load(), w.B, out point);
-        if (Count > 2) point.Plus(At(C).OnA.Load(), w.C, out point);
-        if (Count > 3) point.Plus(At(D).OnA.Load(), w.D, out point);
-    }
-
-    /// <summary>The weighted sum of B's support points, from B's centre in B's own axes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void PointOnB(in Weights w, out Xyz point)
-    {
-        At(A).OnB.Load().Times(w.A, out point);
-        if (Count > 1) point.Plus(At(B).OnB.Load(), w.B, out point);
-        if (Count > 2) point.Plus(At(C).OnB.Load(), w.C, out point);
-        if (Count > 3) point.Plus(At(D).OnB.Load(), w.D, out point);
+        At(A).OnA.Load().Times(w.A, out onA);
+        At(A).OnB.Load().Times(w.A, out onB);
+        if (Count > 1) At(B).AddTo(w.B, ref onA, ref onB);
+        if (Count > 2) At(C).AddTo(w.C, ref onA, ref onB);
+        if (Count > 3) At(D).AddTo(w.D, ref onA, ref onB);
     }
 }
 
@@ -192,5 +180,13 @@ internal struct DifferenceVertex
         onB.Store(out OnB);
         IdA = idA;
         IdB = idB;
+    }
+
+    /// <summary>Adds the support points times a weight.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void AddTo(double weight, ref Xyz onA, ref Xyz onB)
+    {
+        onA.Plus(OnA.Load(), weight, out onA);
+        onB.Plus(OnB.Load(), weight, out onB);
     }
 }

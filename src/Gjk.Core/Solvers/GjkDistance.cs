@@ -85,7 +85,7 @@ internal static class GjkDistance
                 ref a, ref b, frame, feature.Normal, ref state.Simplex.At(slot), out Double3 w);
             if (state.Matters<TA, TB>(ids))
             {
-                state.See(frame, state.Simplex, slot);
+                state.See(frame, state.Simplex.At(slot));
                 (touchSquared, noise) = (state.TouchSquared, state.Noise);
             }
 
@@ -127,9 +127,8 @@ internal static class GjkDistance
     {
         state.Simplex.Push(-frame.Translation, default, default, 0, 0);
         state.Iterations = 1;
-        FeatureVertices vertices = default;
-        vertices.A = new MinkowskiVertex(-frame.Translation, 0);
-        NextSimplex.KeepVertex(ref vertices, ref state.Feature);
+        state.Feature.Normal = -frame.Translation;
+        state.Feature.Height = state.Feature.NormalSquared = frame.Translation.LengthSquared;
         if (isSigned && !(state.Feature.Height > 0))
         {
             state.Feature.Normal = frame.RotationA.InverseRotate(new Double3(-1, 0, 0));

@@ -9,9 +9,10 @@ namespace Gjk.Core;
 /// Nothing of it is assumed: the direction is taken if a support proves that it separates the bodies at least as far as
 /// the plane that is known, and if there are points along it, which supports a little to both sides give, or the known
 /// ones.</remarks>
-internal static class SideNormal<TA, TB>
+internal static class SideNormal<TA, TB, TTrace>
     where TA : struct, ISupportMap
     where TB : struct, ISupportMap
+    where TTrace : struct, IGjkTrace
 {
     /// <summary>Length: bodies that are further apart than this need no sharp normal. As far as a maximal gap usually
     /// reaches; more costs time. Pinned by RestingSideTests.</summary>
@@ -44,16 +45,14 @@ internal static class SideNormal<TA, TB>
     /// <param name="state">Of cores that are apart or overlap; a positive distance stays as it is.</param>
     /// <param name="trace">Is told of the supports.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Sharpen<TTrace>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IGjkTrace
+    public static void Sharpen(ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
     {
         if (state.IsCurved && state.Verdict == Verdict.Apart) SharpenNear(ref a, ref b, frame, ref state, ref trace);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static unsafe void SharpenNear<TTrace>(
+    private static unsafe void SharpenNear(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IGjkTrace
     {
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         Double3 known = state.Feature.Normal * -scale;
@@ -75,10 +74,9 @@ internal static class SideNormal<TA, TB>
     }
 
     /// <summary>Takes the normal, if it is as good as the one that is known.</summary>
-    private static void Take<TTrace>(
+    private static void Take(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, bool isOfA, in Double3 known,
         ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IGjkTrace
     {
         Simplex.Begin(out Simplex ends);
         Double3 p = Support(ref a, ref b, frame, axis * Lean - normal, ref state, ref trace, ref ends, 0);
@@ -139,10 +137,9 @@ internal static class SideNormal<TA, TB>
         return true;
     }
 
-    private static Double3 Support<TTrace>(
+    private static Double3 Support(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state, ref TTrace trace,
         ref Simplex ends, int slot)
-        where TTrace : struct, IGjkTrace
     {
         MinkowskiDifference.Support(ref a, ref b, frame, normal, ref ends.At(slot), out Double3 w);
         state.Iterations++;

@@ -83,14 +83,10 @@ internal struct SolverState
 
     /// <summary>Takes note of what a support says about the shapes; the tolerances may have changed then.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void See(in PairFrame frame, in Simplex simplex, int slot) =>
-        See(frame, simplex.IdA(slot) | simplex.IdB(slot), simplex.OnA(slot), simplex.OnB(slot));
-
-    /// <inheritdoc cref="See(in PairFrame, in Simplex, int)"/>
-    public void See(in PairFrame frame, int ids, in Double3 onA, in Double3 onB)
+    public void See(in PairFrame frame, in DifferenceVertex vertex)
     {
-        IsCurved |= ids < 0;
-        Size.See(frame, onA, onB);
+        IsCurved |= (vertex.IdA | vertex.IdB) < 0;
+        Size.See(frame, vertex.OnA, vertex.OnB);
     }
 }
 

@@ -47,11 +47,7 @@ internal unsafe struct WideBoxes : IWideSide
         get => Vector256.LoadUnsafe(ref _corners[0]);
     }
 
-    private static Lanes SignBit
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Vector256.Create(-0.0);
-    }
+    private static Lanes SignBit => Vector256.Create(-0.0);
 
     public void Load(int lane, in ConvexShape shape)
     {

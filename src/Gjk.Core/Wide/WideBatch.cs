@@ -28,11 +28,7 @@ internal readonly unsafe ref struct WideBatch(
     private readonly ref bool _answered = ref answered;
 
     /// <summary>Whether four pairs can be solved at once on this machine.</summary>
-    public static bool IsSupported
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Avx2.IsSupported;
-    }
+    public static bool IsSupported => Avx2.IsSupported;
 
     public ref ConvexShape ShapeA(int pair) => ref Unsafe.Add(ref _shapes, Unsafe.Add(ref _pairs, pair).A);
 

@@ -7,11 +7,9 @@ namespace Gjk.Core;
 internal static class WideLanes
 {
     /// <summary>a in the lanes of the mask, b in the others.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Lanes Select(Lanes mask, Lanes a, Lanes b) => Vector256.ConditionalSelect(mask, a, b);
 
     /// <inheritdoc cref="Select(Lanes, Lanes, Lanes)"/>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<long> Select(Lanes mask, Vector256<long> a, Vector256<long> b) =>
         Vector256.ConditionalSelect(mask.AsInt64(), a, b);
 
@@ -20,11 +18,9 @@ internal static class WideLanes
     public static Lanes SignOf(Lanes x) => ((x + Lanes.Zero) & Vector256.Create(-0.0)) | Lanes.One;
 
     /// <summary>A's half of slots; see <see cref="WidePairs.SlotsA"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<long> Low(Vector256<long> slots) => slots & Vector256.Create((long)uint.MaxValue);
 
     /// <summary>B's half of slots.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<long> High(Vector256<long> slots) => Vector256.ShiftRightLogical(slots, 32);
 }
 #endif

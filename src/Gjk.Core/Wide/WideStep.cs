@@ -7,11 +7,7 @@ namespace Gjk.Core;
 /// <summary>The step of <see cref="NextSimplex"/> for four pairs: every branch is a mask.</summary>
 internal static class WideStep
 {
-    private static Lanes Three
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => Vector256.Create(3.0);
-    }
+    private static Lanes Three => Vector256.Create(3.0);
 
     /// <summary>The first round's: the newest vertex alone.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]

@@ -60,7 +60,7 @@ public class LowerBoundErrorTests
             var poseB = new RigidPose(TurnB, Between);
             var poseA = new RigidPose(TurnA, Vector3.Zero);
             PoseComposition.Compose(
-                poseA, poseB, out RotationD rotationA, out RotationD rotation, out _, out _);
+                poseA, poseB, null, null, out RotationD rotationA, out RotationD rotation, out _, out _);
             Double3 normal = Normal, translation = rotationA.InverseRotate(Between);
             Double3 vertex = CornerA - (rotation.Rotate(CornerB) + translation);
             double gap = Double3.Dot(normal, vertex) * (1 / Math.Sqrt(normal.LengthSquared));

@@ -68,7 +68,8 @@ public class DepthToleranceTests
         PairFrame.Compose(ref block, RigidPose.Identity, ref point, RigidPose.Identity, out PairFrame frame);
         SolverState.Begin<Block, PointShape>(frame, out SolverState state);
         NoPolytopeTrace trace = default;
-        Verdict verdict = GjkDepth<Block, PointShape>.Solve(ref block, ref point, frame, ref state, ref trace);
+        Verdict verdict = GjkDepth<Block, PointShape, NoPolytopeTrace>.Solve(
+            ref block, ref point, frame, ref state, ref trace);
         Assert.Equal(isFlat, verdict == Verdict.Flat);
     }
 

@@ -50,7 +50,7 @@ internal struct TreeFrame
         PartTree a, in RigidPose poseA, PartTree b, in RigidPose poseB, double reach, out TreeFrame frame)
     {
         frame = default;
-        PoseComposition.Compose(poseA, poseB, out frame.RotationA, out frame.Rotation, out _, out _);
+        PoseComposition.Compose(poseA, poseB, null, null, out frame.RotationA, out frame.Rotation, out _, out _);
         Double3 between = (Double3)poseB.Position - poseA.Position;
         Double3 originB = frame.Rotation.Rotate(b.Origin);
         Double3 translation = frame.RotationA.InverseRotate(between) + (originB - a.Origin);

@@ -199,7 +199,7 @@ internal static unsafe class AxialDepth<TA, TB>
         Uncleared.Begin(out vertex);
         int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref vertex, out Double3 w);
         state.Iterations++;
-        if (state.Matters<TA, TB>(ids)) state.See(frame, ids, vertex.OnA, vertex.OnB);
+        if (state.Matters<TA, TB>(ids)) state.See(frame, vertex);
         return w;
     }
 }

@@ -1,6 +1,8 @@
 #if NET
+using static System.Runtime.Intrinsics.Vector256;
 using Lane = System.Runtime.Intrinsics.Vector256<double>;
 #else
+using static System.Math;
 using Lane = System.Double;
 #endif
 
@@ -42,7 +44,6 @@ internal static unsafe class BoxAxes
     }
 
     /// <summary>Whether a cost over its axis's length is below a limit: the signed squares are compared.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsBelow(double cost, double square, double limitSquared) =>
         cost * Math.Abs(cost) < limitSquared * square;
 
@@ -104,17 +105,5 @@ internal static unsafe class BoxAxes
         Store(y * y + x * x, squares + 4 * Group);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-#if NET
-    private static Lane Abs(Lane v) => Vector256.Abs(v);
-#else
-    private static Lane Abs(Lane v) => Math.Abs(v);
-#endif
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-#if NET
-    private static void Store(Lane v, double* to) => v.Store(to);
-#else
-    private static void Store(Lane v, double* to) => *to = v;
-#endif
+    private static void Store(Lane v, double* to) => *(Lane*)to = v;
 }

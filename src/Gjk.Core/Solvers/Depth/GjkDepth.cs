@@ -18,15 +18,15 @@ namespace Gjk.Core;
 /// Undecided: there was no room, and the bounds are what was found. Flat: A - B has no inside, so the depth is 0 if
 /// they touch. Contradiction: a support point was NaN, or lay behind one that the same support had given before.</para>
 /// </remarks>
-internal static unsafe class GjkDepth<TA, TB>
+internal static unsafe class GjkDepth<TA, TB, TTrace>
     where TA : struct, ISupportMap
     where TB : struct, ISupportMap
+    where TTrace : struct, IPolytopeTrace
 {
     /// <summary>Finds the depth; the state gets a feature of negative height, as if the shapes were apart.</summary>
     /// <remarks>Its stack is given back when it returns.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static Verdict Solve<TTrace>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
+    public static Verdict Solve(ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
     {
         double* memory = stackalloc double[Polytope.FirstDoubles];
         var polytope = new Polytope(memory, isFirst: true);
@@ -42,10 +42,9 @@ internal static unsafe class GjkDepth<TA, TB>
 
     /// <summary>The rest of a search that has outgrown its first room.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Verdict ExpandFurther<TTrace>(
+    private static Verdict ExpandFurther(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
         ref bool isFiner, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         double* memory = stackalloc double[Polytope.Doubles];
         polytope.Grow(memory);
@@ -54,10 +53,9 @@ internal static unsafe class GjkDepth<TA, TB>
 
     /// <summary>Grows the surface until the bounds meet; of curved cores twice: to the promise of the depth, and where
     /// the way out does not end on a smooth point, to that of its direction.</summary>
-    private static Verdict Expand<TTrace>(
+    private static Verdict Expand(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref Polytope polytope, ref DepthBounds depth,
         ref bool isFiner, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         int face = 0;
         bool isClosed = true;
@@ -131,10 +129,9 @@ internal static unsafe class GjkDepth<TA, TB>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Tell<TTrace>(
+    private static void Tell(
         PolytopeOutcome outcome, in PairFrame frame, in Polytope polytope, int face, in DepthBounds depth,
         ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         if (trace.IsOn) trace.OnStep(new PolytopeStep(frame, polytope, face, outcome, depth.Below, depth.Above));
     }

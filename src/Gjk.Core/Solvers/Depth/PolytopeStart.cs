@@ -52,9 +52,8 @@ internal static unsafe class PolytopeStart<TA, TB>
     {
         state.Iterations++;
         DifferenceVertex* vertex = polytope.Add(out int added);
-        MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref *vertex, out _);
-        if (state.Matters<TA, TB>(vertex->IdA | vertex->IdB))
-            state.See(frame, vertex->IdA | vertex->IdB, vertex->OnA, vertex->OnB);
+        int ids = MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref *vertex, out _);
+        if (state.Matters<TA, TB>(ids)) state.See(frame, *vertex);
         return added;
     }
 

@@ -13,16 +13,16 @@ namespace Gjk.Core;
 /// feature has a height of 0 or less; Undecided means that there was no room, and the feature and the plane are the
 /// bounds.</para>
 /// </remarks>
-internal static class SignedSolver<TA, TB>
+internal static class SignedSolver<TA, TB, TTrace>
     where TA : struct, ISupportMap
     where TB : struct, ISupportMap
+    where TTrace : struct, IPolytopeTrace
 {
     /// <summary>Solves from the warm start, if there is one, and keeps where it ended.</summary>
     /// <remarks>The trace is told of the search for the depth alone; <c>Explain</c> tells of the distance.</remarks>
-    public static void Solve<TTrace>(
+    public static void Solve(
         ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
         if (frame.Margins == 0 && (trace.IsOn || !Proofs.AreBallsApart(frame)))
@@ -30,13 +30,12 @@ internal static class SignedSolver<TA, TB>
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Keep(state);
         NoTrace untold = default;
-        SideNormal<TA, TB>.Sharpen(ref a, ref b, frame, ref state, ref untold);
+        SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref untold);
     }
 
-    private static void SolveDepthFirst<TTrace>(
+    private static void SolveDepthFirst(
         ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         PairSize size = state.Size;
         Verdict depth = SolveDepth(ref a, ref b, frame, ref state, ref trace);
@@ -61,10 +60,9 @@ internal static class SignedSolver<TA, TB>
         if (depth == Verdict.Undecided && above > band) state.Verdict = Verdict.Undecided;
     }
 
-    private static void SolveDistanceFirst<TTrace>(
+    private static void SolveDistanceFirst(
         ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm,
         ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         NoTrace untold = default;
         ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
@@ -73,9 +71,8 @@ internal static class SignedSolver<TA, TB>
 
     /// <summary>The depth of cores that overlap or touch.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SolveDepthLast<TTrace>(
+    private static void SolveDepthLast(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         Simplex common = state.Simplex;
         Weights weights = state.Weights;
@@ -94,9 +91,8 @@ internal static class SignedSolver<TA, TB>
 
     /// <summary>Asks the search that is made for the pair, or else the general one. The state gets the weights of the
     /// way's end where the depth is known.</summary>
-    private static Verdict SolveDepth<TTrace>(
+    private static Verdict SolveDepth(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         var verdict = Verdict.Undecided;
         if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == FormKind.Box
@@ -111,7 +107,7 @@ internal static class SignedSolver<TA, TB>
             if (verdict != Verdict.Undecided) return verdict;
         }
 
-        if (verdict == Verdict.Undecided) verdict = GjkDepth<TA, TB>.Solve(ref a, ref b, frame, ref state, ref trace);
+        if (verdict == Verdict.Undecided) verdict = GjkDepth<TA, TB, TTrace>.Solve(ref a, ref b, frame, ref state, ref trace);
         if (verdict == Verdict.Undecided) return SolveLarge(ref a, ref b, frame, ref state);
         if (verdict == Verdict.Enclosed) state.Weights = ClosestPointWeights.Of(state.Simplex);
         return verdict;
@@ -119,9 +115,8 @@ internal static class SignedSolver<TA, TB>
 
     /// <summary>Round bodies with a known way out, or a plane that it lies in; Undecided for all others.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Verdict SolveRound<TTrace>(
+    private static Verdict SolveRound(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         PairForm.Look(ref a, ref b, frame, out PairForm form);
         return trace.IsOn
@@ -136,9 +131,8 @@ internal static class SignedSolver<TA, TB>
             : CylinderDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Verdict TellRound<TTrace>(
+    private static Verdict TellRound(
         ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
     {
         SolverState before = state;
         Verdict verdict = SolveRound(ref a, ref b, frame, form, ref state);
@@ -175,11 +169,10 @@ internal static class SignedSolver<TA, TB>
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Tell<TTrace>(ref TA a, ref TB b, in PairFrame frame, in SolverState begin, ref TTrace trace)
-        where TTrace : struct, IPolytopeTrace
+    private static void Tell(ref TA a, ref TB b, in PairFrame frame, in SolverState begin, ref TTrace trace)
     {
         SolverState state = begin;
-        GjkDepth<TA, TB>.Solve(ref a, ref b, frame, ref state, ref trace);
+        GjkDepth<TA, TB, TTrace>.Solve(ref a, ref b, frame, ref state, ref trace);
     }
 
     /// <summary>Puts the warm start's simplex and normal, or the cold query's, into the state.</summary>

@@ -162,7 +162,7 @@ internal static class AdvancementSolver<TA, TB>
             warmStart.Begin(ref a, ref b, frame, ref state);
             ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
             warmStart.Keep(state);
-            SideNormal<TA, TB>.Sharpen(ref a, ref b, frame, ref state, ref trace);
+            SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref trace);
         }
 
         impact.Iterations += state.Iterations;

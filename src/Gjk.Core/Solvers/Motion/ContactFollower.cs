@@ -151,7 +151,7 @@ internal static class ContactFollower<TA, TB>
         WarmStart unused = default;
         NoPolytopeTrace trace = default;
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state, isSigned: true);
-        else SignedSolver<TA, TB>.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
+        else SignedSolver<TA, TB, NoPolytopeTrace>.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
         impact.Iterations += state.Iterations;
         impact.Steps++;
         impact.Outcome = (MotionVerdict)state.Verdict;

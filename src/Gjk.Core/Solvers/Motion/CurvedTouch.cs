@@ -60,7 +60,7 @@ internal static class CurvedTouch<TA, TB>
             SolverState.Begin<TA, TB>(moved, out SolverState apart);
             apart.Feature.Normal = moved.FirstNormal;
             ProvedDistance.Solve(ref a, ref b, moved, double.PositiveInfinity, false, ref apart, ref trace);
-            SideNormal<TA, TB>.Sharpen(ref a, ref b, moved, ref apart, ref trace);
+            SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, moved, ref apart, ref trace);
             touch.Iterations += apart.Iterations;
             if (apart.Verdict != Verdict.Apart) return false;
             touch.Normal = apart.Plane.Normal * (-1 / Math.Sqrt(apart.Plane.NormalSquared));

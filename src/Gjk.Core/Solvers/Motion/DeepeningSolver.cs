@@ -91,7 +91,7 @@ internal static class DeepeningSolver<TA, TB>
         WarmStart unused = default;
         NoPolytopeTrace trace = default;
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
-        else SignedSolver<TA, TB>.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
+        else SignedSolver<TA, TB, NoPolytopeTrace>.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
         iterations += state.Iterations;
         look = default;
         if (state.Verdict == Verdict.Contradiction) return false;
