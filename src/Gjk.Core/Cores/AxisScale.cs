@@ -14,7 +14,7 @@ internal readonly struct AxisScale
         KeepsBalls = Math.Abs(factors.X) == Math.Abs(factors.Y) && Math.Abs(factors.Y) == Math.Abs(factors.Z);
     }
 
-    public double Largest => Math.Max(Math.Max(Math.Abs(Factors.X), Math.Abs(Factors.Y)), Math.Abs(Factors.Z));
+    public double Largest => Factors.LargestMagnitude;
 
     public double Margin(double innerMargin) => KeepsBalls ? innerMargin * Math.Abs(Factors.X) : 0;
 

@@ -67,9 +67,7 @@ internal readonly struct HalfSpaceCore
         var normal = new VectorDD(
             Exact.X * (sign * s.Y * s.Z), Exact.Y * (sign * s.X * s.Z), Exact.Z * (sign * s.X * s.Y));
         DoubleDouble offset = ExactOffset * DoubleDouble.Product(s.X * s.Y, sign * s.Z);
-        var rounded = (Double3)normal;
-        double largest = Math.Max(Math.Max(Math.Abs(rounded.X), Math.Abs(rounded.Y)), Math.Abs(rounded.Z));
-        double unit = 1 / PowerOfTwo.AtMost(largest);
+        double unit = 1 / PowerOfTwo.AtMost(((Double3)normal).LargestMagnitude);
         return new(normal * unit, offset * unit);
     }
 

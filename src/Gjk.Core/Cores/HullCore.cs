@@ -4,10 +4,10 @@ namespace Gjk.Core;
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct HullCore(ConvexHull hull, double radius, double margin) : ISupportMap, ILibraryShape
 {
-    public readonly ConvexHull Hull = hull;
+    private readonly ConvexHull _hull = hull;
     private readonly double _margin = margin, _radius = radius;
 
-    public Double3 Center => Hull.Center;
+    public Double3 Center => _hull.Center;
 
     public double Margin => _margin;
 
@@ -15,30 +15,30 @@ internal readonly struct HullCore(ConvexHull hull, double radius, double margin)
 
     object ILibraryShape.MakeTraits() => new LibraryTraits<HullCore>();
 
-    public bool TryGetForm(out ShapeForm form) => ShapeForm.Of(Hull, out form);
+    public bool TryGetForm(out ShapeForm form) => ShapeForm.Of(_hull, out form);
 
     public int Support(in Double3 direction, out Double3 point)
     {
-        int id = HullSupport.Find(Hull.Cells, direction, out point);
-        Double3 center = Hull.Center;
+        int id = HullSupport.Find(_hull.Cells, direction, out point);
+        Double3 center = _hull.Center;
         Double3.Write(point.X - center.X, point.Y - center.Y, point.Z - center.Z, out point);
         return id;
     }
 
     public bool TryGetVertex(int id, out Double3 point)
     {
-        bool found = Hull.TryGetVertex(id, out point);
-        point -= Hull.Center;
+        bool found = _hull.TryGetVertex(id, out point);
+        point -= _hull.Center;
         return found;
     }
 
     public void GetFace(in Double3 direction, ref FaceCorners corners) =>
-        Hull.Faces.Get(HullSupport.Find(Hull.Cells, direction, out _), direction, ref corners);
+        _hull.Faces.Get(HullSupport.Find(_hull.Cells, direction, out _), direction, ref corners);
 
 #if NET
     /// <summary>The furthest vertex, measured from the centre, and a 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<double> Support(in Double3 direction, out int id) => Support(Hull, direction, out id);
+    public Vector256<double> Support(in Double3 direction, out int id) => Support(_hull, direction, out id);
 
     /// <inheritdoc cref="Support(in Double3, out int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -59,7 +59,7 @@ internal readonly struct HullCore(ConvexHull hull, double radius, double margin)
 
     /// <summary>A vertex, measured from the centre, and a 0; some vertex where there is none with the id.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<double> Lanes(int id) => Lanes(Hull, id);
+    public Vector256<double> Lanes(int id) => Lanes(_hull, id);
 
     /// <inheritdoc cref="Lanes(int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -73,6 +73,6 @@ internal readonly struct HullCore(ConvexHull hull, double radius, double margin)
     }
 
     /// <summary>Whether there is a vertex with the id.</summary>
-    public bool Has(int id) => (uint)id < (uint)Hull.VertexCount;
+    public bool Has(int id) => (uint)id < (uint)_hull.VertexCount;
 #endif
 }

@@ -92,7 +92,13 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
 
     /// <summary>The id of the furthest end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly int SupportId(in Double3 direction) => _count == 1 ? 0 : FurthestEnd(_toFirst, direction);
+    public readonly int SupportId(in Double3 direction)
+    {
+        double dot = Double3.Dot(direction, _toFirst);
+        return DirectionRange.IsSafe(dot) ? BranchFree.IsNegative(dot)
+            : _count == 1 ? 0
+            : BranchFree.IsNegative(UnitDot(_toFirst, direction));
+    }
 
 #if NET
     /// <summary>From the second end to the first, and a 0.</summary>

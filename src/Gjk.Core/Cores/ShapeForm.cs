@@ -80,8 +80,7 @@ internal struct ShapeForm
     /// ray.</summary>
     public static bool Ball(double radius, out ShapeForm form)
     {
-        form = default;
-        (form.Kind, form.Radius) = (FormKind.Ball, radius);
+        form = new ShapeForm { Kind = FormKind.Ball, Radius = radius };
         return true;
     }
 
@@ -105,8 +104,7 @@ internal struct ShapeForm
     /// <summary>A box, cylinder, cone or ellipsoid.</summary>
     public static bool Of(FormKind kind, in Double3 size, out ShapeForm form)
     {
-        form = default;
-        (form.Kind, form.A) = (kind, size);
+        form = new ShapeForm { Kind = kind, A = size };
         return true;
     }
 

@@ -42,7 +42,7 @@ internal static class DirectionRange
     public static Double3 ToUnit(in Double3 direction)
     {
         Double3 d = direction;
-        double largest = Largest(d.X, d.Y, d.Z);
+        double largest = d.LargestMagnitude;
         if (!(largest > 0 && largest <= double.MaxValue)) return d;
         if (largest < Small)
         {
@@ -61,7 +61,4 @@ internal static class DirectionRange
         x = d.X;
         z = d.Z;
     }
-
-    private static double Largest(double x, double y, double z) =>
-        Math.Max(Math.Max(Math.Abs(x), Math.Abs(y)), Math.Abs(z));
 }

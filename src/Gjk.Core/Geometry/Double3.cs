@@ -37,6 +37,8 @@ public readonly struct Double3 : IEquatable<Double3>
     }
 
     /// <summary>The sum of the components' magnitudes, in their units.</summary>
+    internal double LargestMagnitude => Math.Max(Math.Max(Math.Abs(X), Math.Abs(Y)), Math.Abs(Z));
+
     internal double SumOfMagnitudes
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -164,7 +166,7 @@ public readonly struct Double3 : IEquatable<Double3>
     /// <summary>The components for people: nine digits, and 0 for one that is rounding beside the largest.</summary>
     internal string ToText()
     {
-        double noise = RoundingNoise * Math.Max(Math.Abs(X), Math.Max(Math.Abs(Y), Math.Abs(Z)));
+        double noise = RoundingNoise * LargestMagnitude;
         return $"<{Text(Clean(X, noise), "G9")}, {Text(Clean(Y, noise), "G9")}, {Text(Clean(Z, noise), "G9")}>";
     }
 

@@ -15,15 +15,7 @@ public unsafe ref struct FaceCorners
     private readonly FaceCorner* _corners;
 
     /// <param name="memory">Room for <see cref="Capacity"/> corners.</param>
-    internal FaceCorners(FaceCorner* memory)
-    {
-        _corners = memory;
-        Count = 0;
-        SideRadius = 0;
-        Side = RoundSide.None;
-        IsDisc = false;
-        Outer = null;
-    }
+    internal FaceCorners(FaceCorner* memory) => _corners = memory;
 
     /// <summary>How many corners there are: none, a corner, an edge's two ends, or a face's.</summary>
     public int Count { get; private set; }

@@ -26,7 +26,7 @@ internal readonly struct OuterFrame
     /// <summary>The same for a frame inside another scale.</summary>
     public OuterFrame Stretched(in Double3 factors)
     {
-        double one = 1 / Math.Max(Math.Max(Math.Abs(factors.X), Math.Abs(factors.Y)), Math.Abs(factors.Z));
+        double one = 1 / factors.LargestMagnitude;
         return new(_x * (factors.X * one), _y * (factors.Y * one), _z * (factors.Z * one), Direction);
     }
 

@@ -59,6 +59,12 @@ internal readonly struct WideVector(Lanes x, Lanes y, Lanes z)
     }
 
     /// <summary>The vector of one lane.</summary>
+    /// <summary>Four vectors, one in each lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideVector Of(in Double3 a, in Double3 b, in Double3 c, in Double3 d) => new(
+        Vector256.Create(a.X, b.X, c.X, d.X), Vector256.Create(a.Y, b.Y, c.Y, d.Y),
+        Vector256.Create(a.Z, b.Z, c.Z, d.Z));
+
     public Double3 this[int lane] => new(X.GetElement(lane), Y.GetElement(lane), Z.GetElement(lane));
 }
 

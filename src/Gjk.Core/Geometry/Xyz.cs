@@ -49,6 +49,10 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Times(this in Xyz v, double s, out Xyz product) => product = v * s;
 
+    /// <summary>-v.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Opposite(this in Double3 v, out Xyz opposite) => opposite = (-v).ToXyz();
+
     /// <summary>v + w s.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Plus(this Xyz v, Xyz w, double s, out Xyz sum) => sum = v + w * s;
@@ -131,6 +135,10 @@ internal static class XyzExtensions
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Times(this in Double3 v, double s, out Double3 product) =>
         Double3.Write(v.X * s, v.Y * s, v.Z * s, out product);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Opposite(this in Double3 v, out Double3 opposite) =>
+        Double3.Write(-v.X, -v.Y, -v.Z, out opposite);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Rotate(this in RotationD matrix, in Double3 v, out Double3 turned)

@@ -20,7 +20,7 @@ internal static class MinkowskiDifference
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        normal.ToXyz().Times(-1, out Xyz direction);
+        normal.Opposite(out Xyz direction);
         int idA = XyzSupport.Furthest(ref a, direction, out Xyz onA);
         frame.Inverse.Rotate(normal, out direction);
         int idB = XyzSupport.Furthest(ref b, direction, out Xyz onB);
@@ -35,7 +35,7 @@ internal static class MinkowskiDifference
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        normal.ToXyz().Times(-1, out Xyz direction);
+        normal.Opposite(out Xyz direction);
         int idA = XyzSupport.Furthest(ref a, direction, out Xyz onA);
         frame.Inverse.Rotate(normal, out direction);
         int idB = XyzSupport.Furthest(ref b, direction, out Xyz onB);

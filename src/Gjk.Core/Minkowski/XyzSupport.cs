@@ -18,7 +18,7 @@ internal static class XyzSupport
         int id;
         if (typeof(T) == typeof(HullCore))
         {
-            point = HullCore.Support(Unsafe.As<T, HullCore>(ref shape).Hull, direction.ToDouble3(), out id);
+            point = Unsafe.As<T, HullCore>(ref shape).Support(direction.ToDouble3(), out id);
         }
         else if (typeof(T) == typeof(SegmentCore))
         {
@@ -58,9 +58,8 @@ internal static class XyzSupport
 #if NET
         if (typeof(T) == typeof(HullCore))
         {
-            ConvexHull hull = Unsafe.As<T, HullCore>(ref shape).Hull;
-            vertex = HullCore.Lanes(hull, id);
-            return (uint)id < (uint)hull.VertexCount;
+            vertex = Unsafe.As<T, HullCore>(ref shape).Lanes(id);
+            return Unsafe.As<T, HullCore>(ref shape).Has(id);
         }
 
         if (typeof(T) == typeof(BoxCore) && Vector256.IsHardwareAccelerated)

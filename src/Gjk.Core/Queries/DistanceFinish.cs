@@ -115,8 +115,8 @@ internal static class DistanceFinish
             ? ToWorld(poseB, outerB.ToDouble3())
             : frame.RotationA.Rotate(localA.ToDouble3()) + poseA.Position);
         result = new DistanceResult(
-            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)outerA.ToDouble3(), (Vector3)outerB.ToDouble3(),
-            state.Iterations);
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)outerA.ToDouble3(),
+            (Vector3)outerB.ToDouble3(), state.Iterations);
     }
 
     /// <summary>What has no feature that a distance could be measured to.</summary>

@@ -59,8 +59,6 @@ internal unsafe partial struct Polytope
     /// <param name="isFirst">With the first room.</param>
     public Polytope(double* memory, bool isFirst = false)
     {
-        _noise = _level = 0;
-        _vertexCount = _faceCount = _cutCount = 0;
         int faces = isFirst ? FirstFaces : MostFaces;
         _room = isFirst ? FirstRoom : Room;
         _lastFace = CanGrow ? FirstFaces - 2 * FirstRoom : MostFaces;

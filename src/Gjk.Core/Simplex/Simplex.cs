@@ -74,9 +74,8 @@ internal unsafe struct Simplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Push(in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {
-        int slot = FreeSlot;
-        Fill(slot, w, onA, onB, idA, idB);
-        Push(slot);
+        Fill(FreeSlot, w, onA, onB, idA, idB);
+        Push(FreeSlot);
     }
 
     /// <summary>Makes the vertex in a free slot the newest one.</summary>
@@ -91,15 +90,8 @@ internal unsafe struct Simplex
     }
 
     /// <summary>Writes a vertex of A - B, and the support points that it is made from, into a slot.</summary>
-    public void Fill(int slot, in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
-    {
-        ref DifferenceVertex vertex = ref At(slot);
-        vertex.W = w;
-        vertex.OnA = onA;
-        vertex.OnB = onB;
-        vertex.IdA = idA;
-        vertex.IdB = idB;
-    }
+    public void Fill(int slot, in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB) =>
+        At(slot).Set(w, onA.ToXyz(), onB.ToXyz(), idA, idB);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Select(int count, int a, int b, int c, int d)

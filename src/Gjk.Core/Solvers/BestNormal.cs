@@ -116,8 +116,6 @@ internal readonly struct BallEdge
         Last = corners[last];
         _firstRadius = corners.FirstRadius;
         _lastRadius = corners.SideRadius;
-        Axis = default;
-        _sine = 0;
         if (_lastRadius > 0)
         {
             Double3 line = (Last - First) * (1 / (Last - First).Length);
@@ -138,10 +136,6 @@ internal readonly struct BallEdge
     {
         First = point;
         Last = point;
-        _firstRadius = 0;
-        _lastRadius = 0;
-        Axis = default;
-        _sine = 0;
     }
 
     /// <summary>How far it reaches in a direction.</summary>

@@ -1,4 +1,5 @@
 #if NET
+using static Gjk.Core.WideLanes;
 using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
@@ -132,8 +133,7 @@ internal struct WideSegments : IWideSide
     public Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found)
     {
         var counts = Vector256.Create((long)_cores[0].Count, _cores[1].Count, _cores[2].Count, _cores[3].Count);
-        found &= Vector256.LessThan(ids, counts).AsDouble();
-        return ids & Vector256<long>.One;
+        return Below(counts, ids, ref found);
     }
 }
 
@@ -178,12 +178,8 @@ internal struct WideTriangles : IWideSide
 
     public Vector256<long> IdsOf(Vector256<long> slots) => slots;
 
-    public Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found)
-    {
-        Vector256<long> isThere = Vector256.LessThan(ids, Vector256.Create(3L));
-        found &= isThere.AsDouble();
-        return ids & isThere;
-    }
+    public Vector256<long> SlotsOf(Vector256<long> ids, ref Lanes found) =>
+        Below(Vector256.Create(3L), ids, ref found);
 }
 
 /// <summary>Meshes. A slot is a vertex's id. Each lane looks its vertex up by itself.</summary>
@@ -227,9 +223,7 @@ internal struct WideHulls : IWideSide
     {
         var counts = Vector256.Create(
             (long)_hulls[0].VertexCount, _hulls[1].VertexCount, _hulls[2].VertexCount, _hulls[3].VertexCount);
-        Vector256<long> isThere = Vector256.LessThan(ids, counts);
-        found &= isThere.AsDouble();
-        return ids & isThere;
+        return Below(counts, ids, ref found);
     }
 }
 

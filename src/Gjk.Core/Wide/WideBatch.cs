@@ -187,10 +187,7 @@ internal readonly unsafe ref struct WideBatch(
         in ConvexShape a, in ConvexShape b, in ConvexShape c, in ConvexShape d, out WideVector centers,
         out Vector256<double> margins, out Vector256<double> radii)
     {
-        Double3 ca = a.CenterInCore, cb = b.CenterInCore, cc = c.CenterInCore, cd = d.CenterInCore;
-        centers = new WideVector(
-            Vector256.Create(ca.X, cb.X, cc.X, cd.X), Vector256.Create(ca.Y, cb.Y, cc.Y, cd.Y),
-            Vector256.Create(ca.Z, cb.Z, cc.Z, cd.Z));
+        centers = WideVector.Of(a.CenterInCore, b.CenterInCore, c.CenterInCore, d.CenterInCore);
         margins = Vector256.Create(a.Margin, b.Margin, c.Margin, d.Margin);
         radii = Vector256.Create(a.RadiusOfCore, b.RadiusOfCore, c.RadiusOfCore, d.RadiusOfCore);
     }

@@ -22,5 +22,13 @@ internal static class WideLanes
 
     /// <summary>B's half of slots.</summary>
     public static Vector256<long> High(Vector256<long> slots) => Vector256.ShiftRightLogical(slots, 32);
+
+    /// <summary>The ids below their counts, and 0 for others, which are not found.</summary>
+    public static Vector256<long> Below(Vector256<long> counts, Vector256<long> ids, ref Lanes found)
+    {
+        Vector256<long> isThere = Vector256.LessThan(ids, counts);
+        found &= isThere.AsDouble();
+        return ids & isThere;
+    }
 }
 #endif

@@ -39,9 +39,9 @@ internal static class WideStep
     private static void Shift(ref WidePairs s, Lanes mask)
     {
         s.C = WideVector.Select(mask, s.B, s.C);
-        s.SlotsC = Vector256.ConditionalSelect(mask.AsInt64(), s.SlotsB, s.SlotsC);
+        s.SlotsC = Select(mask, s.SlotsB, s.SlotsC);
         s.B = WideVector.Select(mask, s.A, s.B);
-        s.SlotsB = Vector256.ConditionalSelect(mask.AsInt64(), s.SlotsA, s.SlotsB);
+        s.SlotsB = Select(mask, s.SlotsA, s.SlotsB);
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]

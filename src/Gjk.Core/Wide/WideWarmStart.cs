@@ -17,10 +17,7 @@ internal static unsafe class WideWarmStart
     {
         ref WarmStart a = ref Unsafe.Add(ref starts, index[0]), b = ref Unsafe.Add(ref starts, index[1]);
         ref WarmStart c = ref Unsafe.Add(ref starts, index[2]), d = ref Unsafe.Add(ref starts, index[3]);
-        Double3 na = a.Normal, nb = b.Normal, nc = c.Normal, nd = d.Normal;
-        var normal = new WideVector(
-            Vector256.Create(na.X, nb.X, nc.X, nd.X), Vector256.Create(na.Y, nb.Y, nc.Y, nd.Y),
-            Vector256.Create(na.Z, nb.Z, nc.Z, nd.Z));
+        var normal = WideVector.Of(a.Normal, b.Normal, c.Normal, d.Normal);
         Lanes squared = normal.LengthSquared;
         Lanes isKnown = Vector256.GreaterThan(squared, Lanes.Zero)
             & Vector256.LessThanOrEqual(squared, Vector256.Create(WarmStart.LongestNormal));
@@ -74,10 +71,8 @@ internal static unsafe class WideWarmStart
 
     private static WideVector Place<TA, TB>(ref TA a, ref TB b, in WidePairs s, Vector256<long> slots)
         where TA : struct, IWideSide
-        where TB : struct, IWideSide
-    {
-        return s.Vertex(a.Vertex(Low(slots)), b.Vertex(High(slots)));
-    }
+        where TB : struct, IWideSide =>
+        s.Vertex(a.Vertex(Low(slots)), b.Vertex(High(slots)));
 
     /// <summary>Ends the lanes whose origin is not beside the whole feature, or touches it.</summary>
     private static void KeepAll(ref WidePairs s)

@@ -39,8 +39,7 @@ internal static unsafe class BoxDepth
         }
 
         var pair = new BoxPair(halfA, halfB, frame, BoxAxes.AxisOf(best));
-        DepthBounds depth = default;
-        depth.Settle(pair.Outward * scale, above);
+        var depth = new DepthBounds(pair.Outward * scale, above, 0);
         depth.Store(ref state, above);
         if (depth.IsApart(state)) return Verdict.Apart;
         BoxDepthPoints.Find(pair, depth, state.Size.Value, out Double3 onA, out Double3 inB);

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>What is known of the depth.</summary>
-internal struct DepthBounds
+internal struct DepthBounds(in Double3 normal, double above, double below)
 {
     /// <summary>Length, as a fraction of the size: how far apart shapes are moved where a way out ends. A way that is
     /// longer than the shortest by e may end beside their points by the root of 2 e times this. Much less would count
@@ -9,29 +9,21 @@ internal struct DepthBounds
     private const double Beyond = 1.0 / (1 << 20);
 
     /// <summary>The direction of the cheapest way out that was seen, of unit length.</summary>
-    public Double3 Normal;
+    public Double3 Normal = normal;
 
     /// <summary>What it costs: the depth is not more.</summary>
-    public double Above;
+    public double Above = above;
 
     /// <summary>The depth is not less.</summary>
-    public double Below;
+    public double Below = below;
 
     /// <summary>Nothing is known.</summary>
-    public static DepthBounds None => new()
-    {
-        Normal = new Double3(1, 0, 0),
-        Above = double.PositiveInfinity,
-        Below = double.NegativeInfinity,
-    };
+    public static DepthBounds None =>
+        new(new Double3(1, 0, 0), double.PositiveInfinity, double.NegativeInfinity);
 
     /// <summary>What a search has left in a state.</summary>
-    public static DepthBounds Of(in SolverState state) => new()
-    {
-        Normal = -state.Feature.Normal,
-        Above = -state.Plane.Value,
-        Below = -state.Feature.Height,
-    };
+    public static DepthBounds Of(in SolverState state) =>
+        new(-state.Feature.Normal, -state.Plane.Value, -state.Feature.Height);
 
     /// <summary>Takes note of what a direction costs; the first of equally cheap ones stays.</summary>
     public void See(in Double3 normal, double height)
@@ -48,13 +40,6 @@ internal struct DepthBounds
     /// <summary>What a search without a surface says that was not ended on the way.</summary>
     public readonly Verdict VerdictOr(in SolverState state, Verdict verdict) =>
         !(Above <= double.MaxValue) ? Verdict.Contradiction : IsApart(state) ? Verdict.Apart : verdict;
-
-    /// <summary>The direction in which the bounds have met.</summary>
-    public void Settle(in Double3 normal, double height)
-    {
-        Above = height;
-        Normal = normal;
-    }
 
     /// <summary>Writes the bounds as a feature of negative distance: as if a plane at minus the depth separated the
     /// shapes.</summary>

@@ -71,7 +71,7 @@ internal static unsafe class GjkDepth<TA, TB, TTrace>
             depth.Below = Math.Max(depth.Below, lowest);
             int vertex = PolytopeStart<TA, TB>.Support(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Double3.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;
-            if (height < depth.Above) depth.Settle(normal * scale, height);
+            if (height < depth.Above) (depth.Normal, depth.Above) = (normal * scale, height);
             if (depth.IsApart(state))
             {
                 Tell(PolytopeOutcome.Apart, frame, polytope, face, depth, ref trace);
@@ -91,7 +91,7 @@ internal static unsafe class GjkDepth<TA, TB, TTrace>
             if (hasMet || (depth.Above - depth.Below <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex)))
             {
                 Tell(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
-                if (hasMet) depth.Settle(normal * scale, height);
+                if (hasMet) (depth.Normal, depth.Above) = (normal * scale, height);
                 Settle(ref state, polytope, face, depth, depth.Above);
                 bool isFinest = !state.IsCurved || isFiner || gap <= finest;
                 if (isFinest || SmoothNormal<TA, TB>.TryEnd(ref a, ref b, frame, depth, ref state))

@@ -107,7 +107,8 @@ internal static class SignedSolver<TA, TB, TTrace>
             if (verdict != Verdict.Undecided) return verdict;
         }
 
-        if (verdict == Verdict.Undecided) verdict = GjkDepth<TA, TB, TTrace>.Solve(ref a, ref b, frame, ref state, ref trace);
+        if (verdict == Verdict.Undecided)
+            verdict = GjkDepth<TA, TB, TTrace>.Solve(ref a, ref b, frame, ref state, ref trace);
         if (verdict == Verdict.Undecided) return SolveLarge(ref a, ref b, frame, ref state);
         if (verdict == Verdict.Enclosed) state.Weights = ClosestPointWeights.Of(state.Simplex);
         return verdict;

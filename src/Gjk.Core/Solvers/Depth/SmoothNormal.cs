@@ -74,7 +74,7 @@ internal static class SmoothNormal<TA, TB>
         if (!((w - normal * cost).Length <= Beside * size)) return false;
         state.Simplex.At(0) = end;
         state.Simplex.Select(1, 0, 0, 0, 0);
-        new DepthBounds { Normal = normal, Above = cost }.Store(ref state, cost);
+        new DepthBounds(normal, cost, 0).Store(ref state, cost);
         return true;
     }
 
