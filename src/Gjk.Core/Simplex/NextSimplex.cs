@@ -90,7 +90,7 @@ internal static class NextSimplex
 
     /// <summary>The vertex A alone.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void KeepVertex(ref FeatureVertices simplex, ref ClosestFeature feature) =>
+    private static void KeepVertex(ref FeatureVertices simplex, ref ClosestFeature feature) =>
         KeepVertex(ref simplex, ref feature, simplex.A.X, simplex.A.Y, simplex.A.Z);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
