@@ -5,6 +5,7 @@ namespace Gjk.Core;
 internal static class BranchFree
 {
     /// <summary>1 where x &lt; 0, else 0.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int IsNegative(double x) => x < 0 ? 1 : 0;
 
     /// <summary>-size where x &lt; 0, else size; the size is at least 0.</summary>

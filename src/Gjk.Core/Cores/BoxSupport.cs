@@ -25,6 +25,7 @@ internal static unsafe class BoxSupport
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Sign(long bits) => (int)((ulong)(bits & (bits << 1 | -(bits << 1))) >> 63);
 
     /// <summary>The corner with the given signs; false when these are none.</summary>

@@ -28,6 +28,7 @@ internal unsafe struct Simplex
     public readonly int this[int index] => index switch { 0 => A, 1 => B, 2 => C, _ => D };
 
     /// <summary>The vertex in a slot, with its support points.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly ref DifferenceVertex At(int slot)
     {
         Debug.Assert((uint)slot < 4);
@@ -35,6 +36,7 @@ internal unsafe struct Simplex
     }
 
     /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly ref readonly Double3 W(int slot) => ref At(slot).W;
 
     /// <summary>The same with its slot, number by number.</summary>
@@ -59,6 +61,7 @@ internal unsafe struct Simplex
     public readonly int IdB(int slot) => At(slot).IdB;
 
     /// <summary>An empty simplex; the contents of the slots are not cleared where the runtime lets them be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin(out Simplex simplex)
     {
         Uncleared.Begin(out simplex);
