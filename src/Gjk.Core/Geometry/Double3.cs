@@ -36,9 +36,10 @@ public readonly struct Double3 : IEquatable<Double3>
         get => X * X + Y * Y + Z * Z;
     }
 
-    /// <summary>The sum of the components' magnitudes, in their units.</summary>
+    /// <summary>The largest of the components' magnitudes, in their units.</summary>
     internal double LargestMagnitude => Math.Max(Math.Max(Math.Abs(X), Math.Abs(Y)), Math.Abs(Z));
 
+    /// <summary>The sum of the components' magnitudes, in their units.</summary>
     internal double SumOfMagnitudes
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

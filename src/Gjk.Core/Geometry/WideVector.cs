@@ -58,13 +58,13 @@ internal readonly struct WideVector(Lanes x, Lanes y, Lanes z)
             Avx.Permute2x128(xzAB, xzCD, 0x20), Avx.Permute2x128(yAB, yCD, 0x20), Avx.Permute2x128(xzAB, xzCD, 0x31));
     }
 
-    /// <summary>The vector of one lane.</summary>
     /// <summary>Four vectors, one in each lane.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideVector Of(in Double3 a, in Double3 b, in Double3 c, in Double3 d) => new(
         Vector256.Create(a.X, b.X, c.X, d.X), Vector256.Create(a.Y, b.Y, c.Y, d.Y),
         Vector256.Create(a.Z, b.Z, c.Z, d.Z));
 
+    /// <summary>The vector of one lane.</summary>
     public Double3 this[int lane] => new(X.GetElement(lane), Y.GetElement(lane), Z.GetElement(lane));
 }
 

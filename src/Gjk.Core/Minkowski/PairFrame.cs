@@ -114,12 +114,29 @@ internal struct PairFrame
     /// <summary>Writes the frame where it is to be: a copy of its three hundred bytes would cost as much as the
     /// composition.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Compose<TA, TB>(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame, Placement? placedA = null,
-        Placement? placedB = null)
+    public static void Compose<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out PairFrame frame)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        Fill(ref a, poseA, null, ref b, poseB, null, out frame);
+
+    /// <summary>The same for cores of which one is placed in its shape's frame, in the cores' axes.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void ComposePlaced<TA, TB>(
+        ref TA a, in RigidPose poseA, Placement? placedA, ref TB b, in RigidPose poseB, Placement? placedB,
+        out PairFrame frame)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap =>
+        Fill(ref a, poseA, placedA, ref b, poseB, placedB, out frame);
+
+    /// <summary>Inlined into both: without placements the compiler leaves their branches out.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Fill<TA, TB>(
+        ref TA a, in RigidPose poseA, Placement? placedA, ref TB b, in RigidPose poseB, Placement? placedB,
+        out PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        bool isPlaced = placedA is not null || placedB is not null;
         PoseComposition.Compose(
             poseA, poseB, placedA, placedB, out frame.RotationA, out frame.Rotation, out frame.Inverse,
             out frame._areRotations);
@@ -132,16 +149,16 @@ internal struct PairFrame
         frame.MarginA = a.Margin;
         frame.MarginB = b.Margin;
         frame.Unit = 1;
-        frame.IsPlaced = placedA is not null || placedB is not null;
+        frame.IsPlaced = isPlaced;
         Uncleared.Begin(out frame._turnA);
         Uncleared.Begin(out frame._turnB);
-        if (frame.IsPlaced) SetTurns(placedA, placedB, ref frame._turnA, ref frame._turnB);
+        if (isPlaced) SetTurns(placedA, placedB, ref frame._turnA, ref frame._turnB);
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         if (offset == 0 || !(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
             Double3.Between(poseA.Position, poseB.Position, out Double3 between);
             frame.RotationA.InverseRotate(between, out double x, out double y, out double z);
-            if (offset != 0 || frame.IsPlaced)
+            if (offset != 0 || isPlaced)
             {
                 frame.Rotation.Rotate(centerB, out double toX, out double toY, out double toZ);
                 x += toX - centerA.X;

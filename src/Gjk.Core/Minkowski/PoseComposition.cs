@@ -59,8 +59,8 @@ internal static class PoseComposition
     {
         Vector256<double> a = Lanes(poseA), b = Lanes(poseB);
         Vector128<double> norms = NormsOf(a, b);
-        double normA = norms.ToScalar(), normB = norms.GetElement(1), one = 1 / (normA * normB);
         if (placedA is not null || placedB is not null) (a, b) = (Turned(a, placedA), Turned(b, placedB));
+        double normA = norms.ToScalar(), normB = norms.GetElement(1), one = 1 / (normA * normB);
         Vector256<double> q = ConjugateTimes(a, b);
         Diagonals(
             a, Avx2.Permute4x64(a, AllW), 2 * normB * one, out Vector256<double> main, out Vector256<double> below,
@@ -79,10 +79,12 @@ internal static class PoseComposition
     private static Vector256<double> Lanes(in RigidPose pose) =>
         Avx.ConvertToVector256Double(Vector128.LoadUnsafe(in pose.Rotation.X));
 
-    /// <summary>The squared lengths, ((x² + y²) + z²) + w².</summary>
+    /// <summary>The rotation of a core that is turned inside its pose.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private static Vector256<double> Turned(Vector256<double> q, Placement? placed) =>
         ConjugateTimes(q ^ XyzExtensions.SignBits, Vector256.LoadUnsafe(in (placed ?? Placement.None).Turn.X));
 
+    /// <summary>The squared lengths, ((x² + y²) + z²) + w².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<double> NormsOf(Vector256<double> a, Vector256<double> b)
     {
@@ -91,6 +93,7 @@ internal static class PoseComposition
         return even.GetLower() + odd.GetLower() + even.GetUpper() + odd.GetUpper();
     }
 
+    /// <summary>The product of A's conjugate and B.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<double> ConjugateTimes(Vector256<double> a, Vector256<double> b) =>
         Avx2.Permute4x64(a, AllW) * b

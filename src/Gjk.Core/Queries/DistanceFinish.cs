@@ -114,9 +114,10 @@ internal static class DistanceFinish
         var world = (Vector3)(IsMuchSmallerB(state, frame)
             ? ToWorld(poseB, outerB.ToDouble3())
             : frame.RotationA.Rotate(localA.ToDouble3()) + poseA.Position);
+        outerA.Round(out Vector3 roundedA);
+        outerB.Round(out Vector3 roundedB);
         result = new DistanceResult(
-            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)outerA.ToDouble3(),
-            (Vector3)outerB.ToDouble3(), state.Iterations);
+            GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, roundedA, roundedB, state.Iterations);
     }
 
     /// <summary>What has no feature that a distance could be measured to.</summary>

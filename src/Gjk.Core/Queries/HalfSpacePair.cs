@@ -86,7 +86,7 @@ internal struct HalfSpacePair
         pair = default;
         PointShape origin = default;
         Placement? placed = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Of.PlacementOf(ref other) : null;
-        PairFrame.Compose(ref origin, pose, ref core, otherPose, out pair.Frame, null, placed);
+        PairFrame.ComposePlaced(ref origin, pose, null, ref core, otherPose, placed, out pair.Frame);
 
         if (!ShapeTraits<T>.AreTight) pair.Frame.TightenRadii(ref origin, ref other);
         HalfSpaceCore plane = halfSpace.AsHalfSpace;

@@ -167,10 +167,12 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         where TCoreA : struct, ISupportMap
         where TCoreB : struct, ISupportMap
     {
-        bool isPlaced = CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b);
-        PairFrame.Compose(
-            ref coreA, poseA, ref coreB, poseB, out frame, isPlaced ? ShapeTraits<TA>.Of.PlacementOf(ref a) : null,
-            isPlaced ? ShapeTraits<TB>.Of.PlacementOf(ref b) : null);
+        if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
+            PairFrame.ComposePlaced(
+                ref coreA, poseA, ShapeTraits<TA>.Of.PlacementOf(ref a), ref coreB, poseB,
+                ShapeTraits<TB>.Of.PlacementOf(ref b), out frame);
+        else
+            PairFrame.Compose(ref coreA, poseA, ref coreB, poseB, out frame);
         if (!solver.TryBegin(ref a, ref b, poseA, ref frame, out result)) return;
         SolverState.Begin<TCoreA, TCoreB>(frame, out state);
         if (frame.IsOrdinary) solver.Solve(ref coreA, ref coreB, ref frame, ref state);

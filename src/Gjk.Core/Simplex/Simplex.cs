@@ -77,8 +77,9 @@ internal unsafe struct Simplex
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Push(in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {
-        Fill(FreeSlot, w, onA, onB, idA, idB);
-        Push(FreeSlot);
+        int slot = FreeSlot;
+        Fill(slot, w, onA, onB, idA, idB);
+        Push(slot);
     }
 
     /// <summary>Makes the vertex in a free slot the newest one.</summary>
