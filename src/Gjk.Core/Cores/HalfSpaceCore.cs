@@ -3,26 +3,19 @@ namespace Gjk.Core;
 /// <summary>A half-space: all points x with n · x at most the offset. However it is scaled, widened or placed, it is
 /// one again, so it never has a layer around it. Normal and offset are kept to 106 bits, so that one placed far away
 /// loses no accuracy.</summary>
-internal readonly struct HalfSpaceCore
+internal readonly struct HalfSpaceCore(in Double3 normal, in Double3 normalError, in Double3 offset)
 {
     /// <summary>Length: beyond all floats; how far the box about a half-space reaches.</summary>
     public const double Endless = 1e39;
 
     /// <summary>The outward normal, of any length but 0.</summary>
-    public readonly Double3 Normal;
+    public readonly Double3 Normal = normal;
 
     /// <summary>What rounding took away from the normal.</summary>
-    public readonly Double3 NormalError;
+    public readonly Double3 NormalError = normalError;
 
     /// <summary>X is the offset in units of the normal's length, and Y what rounding took away from it.</summary>
-    public readonly Double3 Offset;
-
-    public HalfSpaceCore(in Double3 normal, in Double3 normalError, in Double3 offset)
-    {
-        Normal = normal;
-        NormalError = normalError;
-        Offset = offset;
-    }
+    public readonly Double3 Offset = offset;
 
     private HalfSpaceCore(in VectorDD normal, in DoubleDouble offset)
         : this(

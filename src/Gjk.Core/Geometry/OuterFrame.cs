@@ -17,11 +17,8 @@ internal readonly struct OuterFrame
         : this(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), Unit(direction)) =>
         this = Stretched(factors);
 
-    private OuterFrame(in Double3 x, in Double3 y, in Double3 z, in Double3 direction)
-    {
-        (_x, _y, _z) = (x, y, z);
-        Direction = direction;
-    }
+    private OuterFrame(in Double3 x, in Double3 y, in Double3 z, in Double3 direction) =>
+        (_x, _y, _z, Direction) = (x, y, z, direction);
 
     /// <summary>The same for a frame inside another scale.</summary>
     public OuterFrame Stretched(in Double3 factors)

@@ -140,8 +140,15 @@ internal struct PairFrame
         PoseComposition.Compose(
             poseA, poseB, placedA, placedB, out frame.RotationA, out frame.Rotation, out frame.Inverse,
             out frame._areRotations);
-        Double3 centerA = placedA is null ? a.Center : placedA.CenterInCore;
-        Double3 centerB = placedB is null ? b.Center : placedB.CenterInCore;
+        Double3 centerA = a.Center, centerB = b.Center;
+        Uncleared.Begin(out frame._turnA);
+        Uncleared.Begin(out frame._turnB);
+        if (placedA is not null || placedB is not null)
+        {
+            Turn(placedA, ref frame._turnA, ref centerA);
+            Turn(placedB, ref frame._turnB, ref centerB);
+        }
+
         Double3.Write(centerA.X, centerA.Y, centerA.Z, out frame.CenterA);
         Double3.Write(centerB.X, centerB.Y, centerB.Z, out frame.CenterB);
         frame.RadiusA = a.BoundingRadius;
@@ -150,9 +157,6 @@ internal struct PairFrame
         frame.MarginB = b.Margin;
         frame.Unit = 1;
         frame.IsPlaced = isPlaced;
-        Uncleared.Begin(out frame._turnA);
-        Uncleared.Begin(out frame._turnB);
-        if (isPlaced) SetTurns(placedA, placedB, ref frame._turnA, ref frame._turnB);
         double radius = frame.RadiusA + frame.RadiusB, offset = centerA.SumOfMagnitudes + centerB.SumOfMagnitudes;
         if (offset == 0 || !(offset > FarCenter * TightRadius<TA, TB>(frame.RadiusA, frame.RadiusB)))
         {
@@ -248,9 +252,11 @@ internal struct PairFrame
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void SetTurns(
-        Placement? placedA, Placement? placedB, ref QuaternionD turnA, ref QuaternionD turnB) =>
-        (turnA, turnB) = ((placedA ?? Placement.None).Turn, (placedB ?? Placement.None).Turn);
+    private static void Turn(Placement? placed, ref QuaternionD turn, ref Double3 center)
+    {
+        turn = (placed ?? Placement.None).Turn;
+        if (placed is not null) center = placed.CenterInCore;
+    }
 
     /// <summary>The rotation of A's core in A's frame; null where neither core is placed.</summary>
     public readonly QuaternionD? TurnOfA => IsPlaced ? _turnA : null;

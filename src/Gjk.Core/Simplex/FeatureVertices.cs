@@ -15,11 +15,13 @@ internal struct FeatureVertices
     /// <summary>Of a face: 1 where (B - A) × (C - A) points away from the origin, else -1.</summary>
     public double Winding;
 
-    /// <summary>No vertices yet.</summary>
+    /// <summary>No vertices yet. Number by number, so that all of them can live in registers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Begin(out FeatureVertices vertices)
     {
-        Uncleared.Begin(out vertices);
+        vertices.A.X = vertices.A.Y = vertices.A.Z = 0;
+        vertices.B.X = vertices.B.Y = vertices.B.Z = 0;
+        vertices.C.X = vertices.C.Y = vertices.C.Z = 0;
         vertices.A.Slot = vertices.B.Slot = vertices.C.Slot = 0;
         vertices.Count = 0;
         vertices.Winding = 1;

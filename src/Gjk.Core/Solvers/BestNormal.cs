@@ -132,11 +132,7 @@ internal readonly struct BallEdge
     }
 
     /// <summary>A point.</summary>
-    public BallEdge(in Double3 point)
-    {
-        First = point;
-        Last = point;
-    }
+    public BallEdge(in Double3 point) => First = Last = point;
 
     /// <summary>How far it reaches in a direction.</summary>
     public double Reach(in Double3 direction) =>

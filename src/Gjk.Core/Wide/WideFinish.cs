@@ -159,9 +159,9 @@ internal static unsafe class WideFinish
         Lanes bound = gap - margins - Vector256.Create(GjkTolerances.LowerBoundError) * reach;
         r.IsOverlapping = common.ExtractMostSignificantBits();
         r.IsBeyond = far.ExtractMostSignificantBits();
-        r.SetDistance(Vector256.AndNot(distance, common), Vector256.AndNot(RoundDown(bound), common));
         r.Set(
-            worldA, WideVector.Select(common, worldA, worldB), WideVector.Select(common, none, normal), localA, localB);
+            Vector256.AndNot(distance, common), Vector256.AndNot(RoundDown(bound), common), worldA,
+            WideVector.Select(common, worldA, worldB), WideVector.Select(common, none, normal), localA, localB);
         r.Iterations = Avx.ConvertToVector128Int32(s.Iterations);
         return good.ExtractMostSignificantBits();
     }

@@ -17,19 +17,14 @@ internal unsafe struct WideResults
     /// <summary>Rows of four floats: distance, bound, and the five vectors of a result.</summary>
     private fixed float _rows[4 * 17];
 
-    /// <summary>Rounds the distances; the bounds are floats already.</summary>
+    /// <summary>Rounds the numbers; the bounds are floats already.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void SetDistance(Lanes distance, Lanes bound)
+    public void Set(
+        Lanes distance, Lanes bound, in WideVector pointA, in WideVector pointB, in WideVector normal,
+        in WideVector localA, in WideVector localB)
     {
         Row(0, distance);
         Row(1, bound);
-    }
-
-    /// <summary>Rounds the vectors.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Set(
-        in WideVector pointA, in WideVector pointB, in WideVector normal, in WideVector localA, in WideVector localB)
-    {
         Rows(2, pointA);
         Rows(5, pointB);
         Rows(8, normal);
