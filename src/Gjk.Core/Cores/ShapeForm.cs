@@ -80,7 +80,8 @@ internal struct ShapeForm
     /// ray.</summary>
     public static bool Ball(double radius, out ShapeForm form)
     {
-        form = new ShapeForm { Kind = FormKind.Ball, Radius = radius };
+        form = default;
+        (form.Kind, form.Radius) = (FormKind.Ball, radius);
         return true;
     }
 
@@ -104,7 +105,8 @@ internal struct ShapeForm
     /// <summary>A box, cylinder, cone or ellipsoid.</summary>
     public static bool Of(FormKind kind, in Double3 size, out ShapeForm form)
     {
-        form = new ShapeForm { Kind = kind, A = size };
+        form = default;
+        (form.Kind, form.A) = (kind, size);
         return true;
     }
 

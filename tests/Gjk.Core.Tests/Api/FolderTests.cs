@@ -76,7 +76,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Concave"] = 3301,
         ["Concave/Trees"] = 736,
         ["Contacts"] = 1039,
-        ["Cores"] = 565,
+        ["Cores"] = 567,
         ["Diagnostics"] = 683,
         ["Geometry"] = 599,
         ["Hulls"] = 214,
