@@ -27,6 +27,9 @@ public sealed class CompoundShape
 
     private readonly Vector3 _scale;
 
+    /// <summary>Null until it is asked for.</summary>
+    private IPartSource? _source;
+
     /// <summary>The tree over the parts.</summary>
     internal readonly PartTree Tree;
 
@@ -160,7 +163,7 @@ public sealed class CompoundShape
     }
 
     /// <summary>The parts as a tree is built of them.</summary>
-    internal IPartSource Source => new PartSource(this);
+    internal IPartSource Source => _source ??= new PartSource(this);
 
     /// <summary>The parts, not to be written to.</summary>
     internal ConvexShape[] Parts => _parts;

@@ -27,6 +27,9 @@ public sealed partial class TriangleMesh
     /// <summary>The scale in double, so that products with vertices are exact.</summary>
     private readonly Double3 _scale;
 
+    /// <summary>Null until it is asked for.</summary>
+    private IPartSource? _source;
+
     /// <summary>Builds a mesh.</summary>
     /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
     /// <param name="indices">Three for each triangle, at least one triangle, each at least 0 and below the number of
@@ -259,7 +262,7 @@ public sealed partial class TriangleMesh
     private static string Triangles(int count) => count == 1 ? "1 triangle" : $"{count} triangles";
 
     /// <summary>The triangles as a tree is built of them.</summary>
-    internal IPartSource Source => new TriangleSource(this);
+    internal IPartSource Source => _source ??= new TriangleSource(this);
 
     private PartTree BuildTree(Workers? workers) =>
         PartTreeBuilder.Build(Source, LeafSize, MostInLeaf, workers);

@@ -29,6 +29,28 @@ public sealed partial class CollisionScene
         Change(slot);
     }
 
+    /// <summary>Gives an object another shape in place: it keeps its id, pose and settings, and its pairs begin anew,
+    /// as if it had just been added.</summary>
+    /// <param name="id">The object.</param>
+    /// <param name="shape">Any shape but a <c>default</c> struct, of any kind.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
+    public void SetShape(int id, in ConvexShape shape) => SetShape(id, AnyShape.Of(shape));
+
+    /// <summary>Gives an object another shape in place, which need not be convex: it keeps its id, pose and settings,
+    /// and its pairs begin anew, as if it had just been added.</summary>
+    /// <param name="id">The object.</param>
+    /// <param name="shape">Any shape but a <c>default</c> struct, of any kind.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
+    public void SetShape(int id, in AnyShape shape)
+    {
+        int slot = _objects.Checked(id, nameof(id));
+        var bounds = new ShapeBounds(shape);
+        _objects.SetShape(slot, shape, bounds, _calls);
+        _phase.Exchange(slot, bounds.BoxAt(_objects.Poses[slot]));
+    }
+
     private void Change(int slot)
     {
         _objects.MovedAfter[slot] = _calls;

@@ -22,6 +22,19 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects) : 
         if (!_endless.Contains(id)) bounded.Move(id, bounds);
     }
 
+    /// <summary>Gives an object the box of another shape, which may have an end where the old one had none.</summary>
+    public void Exchange(int id, in Aabb bounds)
+    {
+        if (_endless.Contains(id) == ShapeBounds.IsEndless(bounds))
+        {
+            Move(id, bounds);
+            return;
+        }
+
+        Remove(id);
+        Add(id, bounds);
+    }
+
     /// <summary>Moves what has a number; negative ones are left out, and none is there twice. What has no end stays
     /// where it is, and loses its number.</summary>
     public void MoveAll(int[] ids, Aabb[] bounds, int count, Workers? workers)

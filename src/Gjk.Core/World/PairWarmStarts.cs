@@ -29,11 +29,13 @@ internal sealed class PairWarmStarts : PairFrames
 
     /// <summary>Gives the i-th pair the warm start and the state that the last frame left.</summary>
     /// <param name="i">The pair.</param>
+    /// <param name="keepsShapes">Whether both objects have the shapes that they had in the last frame; what is known of
+    /// others is forgotten.</param>
     /// <param name="last">From <see cref="PairFrames.Seek"/>, or as the call for the pair before left it.</param>
     /// <returns>The state.</returns>
-    public PairState Resume(int i, ref int last)
+    public PairState Resume(int i, bool keepsShapes, ref int last)
     {
-        bool isKnown = IsKnown(i, ref last);
+        bool isKnown = IsKnown(i, ref last) && keepsShapes;
         _now.Starts[i] = isKnown ? _last.Starts[last] : default;
         return _now.States[i] = isKnown ? _last.States[last] : PairState.Unknown;
     }
@@ -74,7 +76,7 @@ internal sealed class PairWarmStarts : PairFrames
 /// <summary>What is known of a pair from the frame before.</summary>
 internal enum PairState : byte
 {
-    /// <summary>Nothing: its bounds were too far apart, or one of the two was not there.</summary>
+    /// <summary>Nothing: its bounds were too far apart, or one of the two was not there or had another shape.</summary>
     Unknown = 0,
 
     /// <summary>It was looked at, and was further apart than asked.</summary>

@@ -119,7 +119,8 @@ internal readonly struct SceneDistanceJob(
         int last = warmStarts.Seek(begin);
         for (int i = begin; i < end; i++)
         {
-            PairState state = warmStarts.Resume(i, ref last);
+            bool keepsShapes = objects.KeepShapes(pairs[i], warmStarts.LastCall);
+            PairState state = warmStarts.Resume(i, keepsShapes, ref last);
             bool keeps = state == PairState.Reported && objects.Rest(pairs[i], warmStarts.LastCall)
                 && warmStarts.LastResult(last).Distance <= maxDistance;
             warmStarts.Kept[i] = keeps;

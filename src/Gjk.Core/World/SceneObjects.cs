@@ -20,6 +20,9 @@ internal sealed class SceneObjects
     /// <summary>How many calls had been made when the object was added or moved.</summary>
     public long[] MovedAfter = [];
 
+    /// <summary>How many calls had been made when the object got the shape that it has.</summary>
+    public long[] ShapedAfter = [];
+
     /// <summary>Whether all settings are the default ones, so that no pair need be looked at for them.</summary>
     public bool AreAllTested = true;
 
@@ -71,12 +74,22 @@ internal sealed class SceneObjects
         Shapes[slot] = shape;
         Poses[slot] = pose;
         Bounds[slot] = bounds;
-        MovedAfter[slot] = call;
+        MovedAfter[slot] = ShapedAfter[slot] = call;
         SetSettings(slot, settings);
         Ids[slot] = _nextId++;
         Alive[slot] = true;
         Count++;
         return slot;
+    }
+
+    /// <summary>Gives the object in a slot another shape.</summary>
+    public void SetShape(int slot, in AnyShape shape, in ShapeBounds bounds, long call)
+    {
+        if (shape.Kind == AnyShapeKind.Convex) Parts.Remove(slot);
+        else Parts.Set(slot, shape);
+        Shapes[slot] = AnyShape.ConvexOf(shape);
+        Bounds[slot] = bounds;
+        MovedAfter[slot] = ShapedAfter[slot] = call;
     }
 
     /// <summary>Puts a shape that is none of the scene's beside the objects while a question is asked about it: a
@@ -142,6 +155,9 @@ internal sealed class SceneObjects
     /// <summary>Whether neither object of a pair has moved since a call.</summary>
     public bool Rest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
 
+    /// <summary>Whether both objects of a pair have had their shapes since before a call.</summary>
+    public bool KeepShapes(ObjectPair pair, long call) => ShapedAfter[pair.A] < call && ShapedAfter[pair.B] < call;
+
     /// <summary>Gives the i-th pair the answer that it had in the last frame, if neither object has moved
     /// since.</summary>
     public bool TryKeep<T>(PairAnswers<T> answers, ObjectPair pair, int i, ref int last)
@@ -193,6 +209,7 @@ internal sealed class SceneObjects
             Bounds[kept] = Bounds[slot];
             Settings[kept] = Settings[slot];
             MovedAfter[kept] = MovedAfter[slot];
+            ShapedAfter[kept] = ShapedAfter[slot];
             Ids[kept] = Ids[slot];
             Alive[kept++] = true;
         }
@@ -213,6 +230,7 @@ internal sealed class SceneObjects
         Array.Resize(ref Bounds, capacity);
         Array.Resize(ref Settings, capacity);
         Array.Resize(ref MovedAfter, capacity);
+        Array.Resize(ref ShapedAfter, capacity);
         Array.Resize(ref Alive, capacity);
 
         // Last: its length says that there is room in all of them.
