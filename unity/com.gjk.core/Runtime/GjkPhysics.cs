@@ -134,11 +134,14 @@ namespace Gjk.Unity
         /// <param name="ray">Its direction may have any length but 0.</param>
         /// <param name="hit">Where they meet; <c>default</c> where they do not.</param>
         /// <param name="maxDistance">World units; Mathf.Infinity for all the way.</param>
-        public static bool Raycast(Collider collider, Ray ray, out ColliderRayHit hit, float maxDistance)
+        /// <param name="sides">What of a surface the ray meets. By default both sides, and a start inside is a hit; as
+        /// the engine has it: RaySides.Hollow and RaySides.FrontOnly.</param>
+        public static bool Raycast(
+            Collider collider, Ray ray, out ColliderRayHit hit, float maxDistance, RaySides sides = RaySides.Both)
         {
             PairQueries.Way(ray.direction, maxDistance, out float _);
             var query = new RayQuery(ray.origin.ToNumerics(), ray.direction.ToNumerics(), maxDistance);
-            RayCastResult result = PairQueries.RayCast(GjkShapes.From(collider), query, out int triangle);
+            RayCastResult result = PairQueries.RayCast(GjkShapes.From(collider), query, sides, out int triangle);
             bool mayHit = result.IsHit || result.Status == CastStatus.IterationLimit;
             hit = mayHit ? new ColliderRayHit(result, triangle, collider) : default;
             return mayHit;

@@ -43,7 +43,7 @@ namespace Gjk.Unity.Tests
             Assert.AreEqual("There is no target.", component.Problem);
             component.Target = other;
             Assert.IsFalse(component.Measure().isValid);
-            Assert.AreEqual("'nothing' has neither a collider nor a mesh filter.", component.Problem);
+            Assert.AreEqual("'nothing' has no collider, half-space or mesh filter.", component.Problem);
             other.AddComponent<SphereCollider>();
             Assert.IsTrue(component.Measure().isValid);
             UnityEngine.Object.DestroyImmediate(other);

@@ -1,4 +1,5 @@
 using System;
+using Gjk.Core;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -164,6 +165,22 @@ namespace Gjk.Unity.Tests
             Assert.IsFalse(GjkPhysics.Raycast(_sphere, ray, out _, 3));
             Assert.IsTrue(GjkPhysics.Raycast(_box, ray, out hit, 3));
             Assert.IsTrue(hit.isOverlappedAtStart);
+        }
+
+        [Test]
+        public void ARayThatStartsInsideMayPass()
+        {
+            Place(4);
+            var ray = new Ray(Vector3.zero, Vector3.right);
+            Assert.IsTrue(GjkPhysics.Raycast(_box, ray, out _, 3));
+            Assert.IsFalse(GjkPhysics.Raycast(_box, ray, out _, 3, RaySides.Hollow | RaySides.FrontOnly));
+            Assert.IsTrue(GjkPhysics.Raycast(_sphere, ray, out _, 9, RaySides.Hollow | RaySides.FrontOnly));
+            _second.transform.localPosition = Vector3.zero;
+            var roof = _second.AddComponent<MeshCollider>();
+            roof.sharedMesh = TestMeshes.Roof(-0.25f);
+            var up = new Ray(new Vector3(0.2f, -0.3f, 0.1f), Vector3.up);
+            Assert.IsTrue(GjkPhysics.Raycast(roof, up, out _, 9));
+            Assert.IsFalse(GjkPhysics.Raycast(roof, up, out _, 9, RaySides.FrontOnly));
         }
 
         [Test]

@@ -96,6 +96,55 @@ namespace Gjk.Unity.Tests
             Assert.IsFalse(world.ColliderCast(collider, -Vector3.up, out _, 4));
         }
 
+        /// <summary>A floor that leads up along x, whose scale counts for nothing.</summary>
+        [Test]
+        public void AHalfSpaceIsAFloorWithoutAnEnd()
+        {
+            GameObject box = Box("box", 3), ground = Make("ground", 1);
+            ground.transform.localRotation = Quaternion.AngleAxis(-90, Vector3.forward);
+            ground.transform.localScale = new Vector3(2, 5, -3);
+            var floor = ground.AddComponent<GjkHalfSpace>();
+            GjkWorld world = World();
+            Assert.AreEqual(2, world.Count);
+            var hits = new ProximityHit[2];
+            var collider = box.GetComponent<BoxCollider>();
+            Assert.AreEqual(1, world.WithinNonAlloc(collider, 2, hits));
+            Assert.AreSame(floor, hits[0].Source);
+            Assert.AreEqual(1.5, hits[0].Distance.distance, 1e-6);
+            Assert.IsTrue(world.Raycast(new Vector3(9, 700, 900), -Vector3.right, out ColliderRayHit ray));
+            Assert.AreEqual(8, ray.distance, 1e-6);
+            Assert.IsTrue(ray.collider == null);
+            Assert.IsTrue(world.ColliderCast(collider, -Vector3.right, out ColliderCastHit cast));
+            Assert.AreEqual(1.5, cast.distance, 1e-6);
+            Assert.AreEqual(1.5, GjkPhysics.Distance(box, ground).distance, 1e-6);
+            box.transform.localPosition = new Vector3(1.25f, 40, 0);
+            Assert.AreEqual(-0.25, GjkPhysics.Distance(ground, box).distance, 1e-6);
+            Assert.AreEqual(-0.25, GjkPhysics.Distance(
+                GjkShapes.From(floor), GjkShapes.From(collider)).distance, 1e-6);
+            ground.transform.localPosition = new Vector3(-1, 0, 0);
+            world.Refresh();
+            Assert.AreEqual(0, world.WithinNonAlloc(collider, 1.5f, hits));
+            Assert.AreEqual(1, world.WithinNonAlloc(collider, 2, hits));
+            floor.enabled = false;
+            world.Refresh();
+            Assert.AreEqual(0, world.WithinNonAlloc(collider, 2, hits));
+        }
+
+        [Test]
+        public void ASpawnedHalfSpaceJoinsAndLeaves()
+        {
+            GjkWorld world = World();
+            GameObject ground = Make("ground", 0);
+            ground.AddComponent<GjkHalfSpace>();
+            ground.AddComponent<GjkMember>();
+            Assert.AreEqual(1, world.Count);
+            GameObject other = Make("other", 0);
+            other.AddComponent<GjkHalfSpace>();
+            Assert.IsFalse(GjkPhysics.Distance(ground, other).isValid);
+            UnityEngine.Object.DestroyImmediate(ground.GetComponent<GjkMember>());
+            Assert.AreEqual(0, world.Count);
+        }
+
         /// <summary>What moves is read at the first question of a frame.</summary>
         [Test]
         public void SensorsShareAWorld()

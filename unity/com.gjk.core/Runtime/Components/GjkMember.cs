@@ -14,7 +14,7 @@ namespace Gjk.Unity
         private GjkWorld _world;
 
         private GjkWorld _joined;
-        private Collider[] _colliders;
+        private Component[] _colliders;
 
         /// <summary>The world; null for the one that was enabled last.</summary>
         public GjkWorld World
@@ -27,14 +27,14 @@ namespace Gjk.Unity
         {
             _joined = _world != null ? _world : GjkWorld.Current;
             if (_joined == null) return;
-            _colliders = GetComponentsInChildren<Collider>();
-            foreach (Collider collider in _colliders) _joined.Add(collider);
+            _colliders = SceneColliders.Below(gameObject);
+            foreach (Component collider in _colliders) _joined.Add(collider);
         }
 
         private void OnDisable()
         {
             if (_joined == null) return;
-            foreach (Collider collider in _colliders) _joined.Remove(collider);
+            foreach (Component collider in _colliders) _joined.Remove(collider);
             _joined = null;
         }
     }

@@ -162,7 +162,7 @@ namespace Gjk.Unity
         private void OnEnable()
         {
             Current = this;
-            foreach (Collider collider in SceneColliders.Below(null)) Add(collider);
+            foreach (Component collider in SceneColliders.Below(null)) Add(collider);
         }
 
         private void OnDisable()

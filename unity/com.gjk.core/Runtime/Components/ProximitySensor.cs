@@ -147,7 +147,7 @@ namespace Gjk.Unity
         /// <summary>Collects all colliders anew: below the root, or in the whole scene. This allocates.</summary>
         public void Rescan()
         {
-            foreach (Collider collider in SceneColliders.Below(_root)) Watch(collider);
+            foreach (Component collider in SceneColliders.Below(_root)) Watch(collider);
         }
 
         /// <summary>Also watches one collider or mesh filter, such as one that was made later.</summary>

@@ -2,19 +2,29 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>Finds colliders once, where nobody names them.</summary>
+    /// <summary>Finds colliders and half-spaces once, where nobody names them.</summary>
     internal static class SceneColliders
     {
         /// <summary>Those of an object and its children, or of all scenes when it is null. This allocates.</summary>
-        public static Collider[] Below(GameObject root)
+        public static Component[] Below(GameObject root)
         {
-            if (root != null) return root.GetComponentsInChildren<Collider>();
+            Component[] colliders = Below<Collider>(root), halfSpaces = Below<GjkHalfSpace>(root);
+            var all = new Component[colliders.Length + halfSpaces.Length];
+            colliders.CopyTo(all, 0);
+            halfSpaces.CopyTo(all, colliders.Length);
+            return all;
+        }
+
+        private static T[] Below<T>(GameObject root)
+            where T : Component
+        {
+            if (root != null) return root.GetComponentsInChildren<T>();
 #if UNITY_6000_4_OR_NEWER
-            return Object.FindObjectsByType<Collider>();
+            return Object.FindObjectsByType<T>();
 #elif UNITY_2023_1_OR_NEWER
-            return Object.FindObjectsByType<Collider>(FindObjectsSortMode.None);
+            return Object.FindObjectsByType<T>(FindObjectsSortMode.None);
 #else
-            return Object.FindObjectsOfType<Collider>();
+            return Object.FindObjectsOfType<T>();
 #endif
         }
     }

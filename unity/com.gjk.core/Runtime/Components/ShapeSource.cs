@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Gjk.Unity
 {
     /// <summary>Reads the shapes of a game object in each frame: of its colliders, those of its children among them
-    /// where it is a rigid body, or else of its mesh filter.</summary>
+    /// where it is a rigid body, and its half-space, or else of its mesh filter.</summary>
     internal sealed class ShapeSource
     {
         private readonly List<Collider> _colliders = new List<Collider>();
@@ -42,8 +42,14 @@ namespace Gjk.Unity
                 Add(collider, isSolid);
             }
 
+            if (owner.TryGetComponent(out GjkHalfSpace halfSpace) && halfSpace.enabled)
+            {
+                isAnyRead = true;
+                Add(halfSpace, isSolid);
+            }
+
             if (!isAnyRead && owner.TryGetComponent(out MeshFilter filter)) Add(filter, isSolid);
-            else if (!isAnyRead) Problem = "'" + owner.name + "' has neither a collider nor a mesh filter.";
+            else if (!isAnyRead) Problem = "'" + owner.name + "' has no collider, half-space or mesh filter.";
             if (_shapes.Count > 0) Problem = null;
             return _shapes.Count > 0;
         }

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Gjk.Unity
 {
-    /// <summary>One collider or mesh filter of a <see cref="ColliderScene"/>.</summary>
+    /// <summary>One collider, half-space or mesh filter of a <see cref="ColliderScene"/>.</summary>
     internal sealed class Watched
     {
         private const int Absent = -1;
@@ -39,10 +39,13 @@ namespace Gjk.Unity
         /// <summary>Whether the engine has destroyed it.</summary>
         public bool IsGone => Source == null;
 
+        private bool IsSwitchedOff => (_collider is Collider && !_collider.enabled)
+            || (Source is GjkHalfSpace halfSpace && !halfSpace.enabled);
+
         /// <summary>Brings the scene up to date. What does not move is read once.</summary>
         public void Update(CollisionScene scene, bool isSolid)
         {
-            if (IsGone || !_owner.activeInHierarchy || (_collider is Collider && !_collider.enabled))
+            if (IsGone || !_owner.activeInHierarchy || IsSwitchedOff)
             {
                 _problem = null;
                 Leave(scene);

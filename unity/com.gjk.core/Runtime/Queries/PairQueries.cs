@@ -90,13 +90,18 @@ namespace Gjk.Unity
                 ? ConvexQuery.Cast(a.Shape, a.Pose, way, b.Shape, b.Pose, default, maxFraction)
                 : ConcaveQuery.Cast(a.Any, a.Pose, way, b.Any, b.Pose, default, Scratch, maxFraction).Result;
 
-        public static RayCastResult RayCast(in PosedShape shape, in RayQuery ray, out int triangle)
+        public static RayCastResult RayCast(
+            in PosedShape shape, in RayQuery ray, RaySides sides, out int triangle)
         {
             triangle = -1;
             if (shape.IsConvex)
-                return ConvexQuery.RayCast(shape.Shape, shape.Pose, ray.Origin, ray.Direction, ray.MaxDistance);
+            {
+                return ConvexQuery.RayCast(
+                    shape.Shape, shape.Pose, ray.Origin, ray.Direction, ray.MaxDistance, sides: sides);
+            }
+
             RayHit hit = ConcaveQuery.RayCast(
-                shape.Any, shape.Pose, ray.Origin, ray.Direction, Scratch, ray.MaxDistance);
+                shape.Any, shape.Pose, ray.Origin, ray.Direction, Scratch, ray.MaxDistance, sides: sides);
             triangle = hit.Part;
             return hit.Result;
         }

@@ -12,7 +12,7 @@ namespace Gjk.Unity
     /// whole matrix. A scale of 0 flattens; the shape may become a polygon, a segment or a point. CharacterController:
     /// a capsule along the world's y, its radius times the larger of the absolute scales along x and z, its height
     /// times that along y; its skin is no part of it. Terrain: its heights, where they are in the world; it neither
-    /// turns nor scales.</remarks>
+    /// turns nor scales. GjkHalfSpace: it turns, and does not scale.</remarks>
     internal static class ShapeReader
     {
         private static readonly double HalfRoot = Math.Sqrt(0.5);
@@ -23,7 +23,7 @@ namespace Gjk.Unity
 #if GJK_TERRAIN
             || source is TerrainCollider
 #endif
-            || source is CharacterController || source is MeshFilter;
+            || source is CharacterController || source is MeshFilter || source is GjkHalfSpace;
 
         /// <summary>Null, or why there is no shape, in one sentence that names the object.</summary>
         public static string Read(Component source, in Stretch stretch, bool isSolid, out LocalShape local)
@@ -44,13 +44,16 @@ namespace Gjk.Unity
                     return Read(collider, collider.sharedMesh, collider.convex, isSolid, stretch, ref local);
                 case MeshFilter filter:
                     return Read(filter, filter.sharedMesh, false, isSolid, stretch, ref local);
+                case GjkHalfSpace _:
+                    local.Shape = ConvexShape.HalfSpace(Numerics.Vector3.UnitY, 0);
+                    return null;
 #if GJK_TERRAIN
                 case TerrainCollider terrain:
                     return Read(terrain, ref local);
 #endif
                 default:
                     return Text(source, "is a " + source.GetType().Name + ", which has no shape here; box, sphere, "
-                        + "capsule, mesh and terrain colliders and character controllers have one.");
+                        + "capsule, mesh and terrain colliders, character controllers and half-spaces have one.");
             }
         }
 
