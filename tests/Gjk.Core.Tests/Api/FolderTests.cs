@@ -70,7 +70,7 @@ public class FolderTests(ITestOutputHelper output)
     /// <summary>Lines of code that each folder may have: what it had when this was last set, and 1 %.</summary>
     private static readonly Dictionary<string, int> Budgets = new()
     {
-        ["Arithmetic"] = 117,
+        ["Arithmetic"] = 128,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
         ["Concave"] = 3303,
