@@ -9,8 +9,8 @@ public readonly partial struct ConvexShape
     /// time in proportion to its triangles; keep the result.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The density is negative, NaN or infinite.</exception>
     /// <exception cref="InvalidOperationException">This is a half-space, a shape of the caller's own, a <c>default</c>
-    /// struct, or a rounded triangle, cylinder, cone, ellipsoid or mesh, as a sphere or capsule is that was rounded
-    /// after it was scaled unevenly: there is no closed form here.</exception>
+    /// struct, a rounded cylinder, cone or ellipsoid, or what was rounded after it was scaled unevenly: there is no
+    /// closed form here.</exception>
     public MassProperties GetMassProperties(float density = 1)
     {
         Guard.NonNegative(density, nameof(density));
@@ -56,14 +56,55 @@ public readonly partial struct ConvexShape
             ShapeKind.TaperedCapsule => MassForms.TaperedCapsule(a.X + rounding, a.Y + rounding, a.Z),
             ShapeKind.Box => MassForms.Box(a, rounding),
             ShapeKind.HalfSpace => throw NoMass("A half-space"),
+            ShapeKind.Triangle => rounding > 0 ? TriangleMass(a, _parts.B, _parts.C, rounding) : default,
+            ShapeKind.Mesh => HullMass(_parts.Hull!, rounding),
             _ when rounding > 0 => throw NoMass($"A rounded {_parts.Kind}"),
-            ShapeKind.Triangle => default,
             ShapeKind.Cylinder => MassForms.Cylinder(a.X, a.Y),
             ShapeKind.Cone => MassForms.Cone(a.X, a.Y),
-            ShapeKind.Ellipsoid => MassForms.Ellipsoid(a),
-            _ => HullMass(_parts.Hull!),
+            _ => MassForms.Ellipsoid(a),
         };
     }
+
+    /// <summary>A triangle widened by a radius; what is straight is a capsule.</summary>
+    private static MassProperties TriangleMass(in Double3 a, in Double3 b, in Double3 c, double rounding) =>
+        HullMass(new ConvexHull([(Vector3)a, (Vector3)b, (Vector3)c]), rounding);
+
+    private static MassProperties HullMass(ConvexHull hull, double rounding)
+    {
+        if (!(rounding > 0)) return HullMass(hull);
+        hull.GetVertex(0, out Double3 first);
+        hull.GetVertex(hull.VertexCount - 1, out Double3 last);
+        if (hull.Dimension < 2) return MassForms.Capsule(first, last, rounding);
+        var layer = new RoundedLayer(hull.Center, rounding);
+        var normals = new Double3[hull.Neighbors.Length];
+        for (int i = 0; i < hull.TriangleCount; i++)
+        {
+            hull.GetTriangle(i, out int p, out int q, out int r);
+            hull.GetVertex(p, out Double3 a);
+            hull.GetVertex(q, out Double3 b);
+            hull.GetVertex(r, out Double3 c);
+            layer.AddFace(a, b, c, out Double3 normal);
+            normals[EdgeOf(hull, p, q)] = normals[EdgeOf(hull, q, r)] = normals[EdgeOf(hull, r, p)] = normal;
+        }
+
+        for (int p = 0; p < hull.VertexCount; p++)
+        {
+            hull.GetVertex(p, out Double3 a);
+            if (hull.NeighborCount(p) > 0) layer.AddBall(a, 2 * Math.PI);
+            for (int i = hull.NeighborStart[p]; i < hull.NeighborStart[p + 1]; i++)
+            {
+                int q = hull.Neighbors[i];
+                hull.GetVertex(q, out Double3 b);
+                if (p < q) layer.AddEdge(a, b, normals[i], normals[EdgeOf(hull, q, p)]);
+            }
+        }
+
+        return hull.Dimension < 3 ? layer.ToMass() : HullMass(hull) + layer.ToMass();
+    }
+
+    /// <summary>Where among all neighbours the one vertex is as the other's.</summary>
+    private static int EdgeOf(ConvexHull hull, int from, int to) => Array.BinarySearch(
+        hull.Neighbors, hull.NeighborStart[from], hull.NeighborStart[from + 1] - hull.NeighborStart[from], to);
 
     private static MassProperties HullMass(ConvexHull hull)
     {

@@ -17,6 +17,6 @@ public static class GoldenHashes
         ["batches"] = "02cb1d8ad93d25b4",
         ["scenes"] = "18993dae1dcfda94",
         ["half-spaces"] = "f78c86a599dec090",
-        ["masses"] = "b84810fe5e25ec8a",
+        ["masses"] = "ebbb1200cb8e5147",
     };
 }

@@ -138,7 +138,8 @@ public class MassTests
         [
             ("A half-space", () => ConvexShape.HalfSpace(Vector3.UnitY, 0).GetMassProperties()),
             ("A rounded Cone", () => cone.Rounded(1).GetMassProperties()),
-            ("A rounded Mesh", () => mesh.Rounded(1).Placed(Pose).Scaled(Uneven).GetMassProperties()),
+            ("A rounded Cylinder", () => ConvexShape.Cylinder(1, 1).Rounded(1).Placed(Pose).GetMassProperties()),
+            ("after it was scaled", () => mesh.Scaled(Uneven).Rounded(1).GetMassProperties()),
             ("unevenly", () => ConvexShape.Capsule(1, 1).Scaled(Uneven).Rounded(1).GetMassProperties()),
             ("after it was scaled", () => cone.Placed(Pose).Scaled(Uneven).Rounded(1).GetMassProperties()),
             ("A custom shape", () => ConvexShape.Custom(new SphereShape(1)).GetMassProperties()),

@@ -12,6 +12,9 @@ public class MassFormTests
 
     private static readonly Vector3 Uneven = new(0.7f, -1.9f, 1.3f);
 
+    private static readonly Vector3[] Tetrahedron =
+        [new(0.1f, 0, 0), new(1.3f, 0.2f, 0), new(0, 0.8f, 0), new(0.4f, 0.3f, 0.9f)];
+
     [Theory]
     [InlineData("sphere")]
     [InlineData("ellipsoid")]
@@ -25,6 +28,9 @@ public class MassFormTests
     [InlineData("roundedBox")]
     [InlineData("roundedTapered")]
     [InlineData("leaningCapsule")]
+    [InlineData("roundedTriangle")]
+    [InlineData("roundedFlat")]
+    [InlineData("roundedHull")]
     public void RoundShapesAreWhatTheirCornersMake(string kind)
     {
         ConvexShape plain = kind switch
@@ -40,6 +46,10 @@ public class MassFormTests
             "box" => ConvexShape.Box(new Vector3(0.5f, 1.5f, 0.9f)),
             "roundedBox" => ConvexShape.Box(new Vector3(0.5f, 0.1f, 0.9f)).Rounded(0.3f),
             "roundedTapered" => ConvexShape.TaperedCapsule(0.3f, 0.9f, 0.8f).Scaled(new Vector3(0.5f)).Rounded(0.25f),
+            "roundedTriangle" => ConvexShape.Triangle(
+                new Vector3(1, 2, 3), new Vector3(1.5f, 0.5f, 3.5f), new Vector3(2, 1.5f, 2)).Rounded(0.4f),
+            "roundedFlat" => ConvexShape.Mesh([.. Tetrahedron[..3], new Vector3(0.9f, 0.9f, 0)]).Rounded(0.3f),
+            "roundedHull" => ConvexShape.Mesh(Tetrahedron).Rounded(0.3f),
             _ => ConvexShape.Segment(new Vector3(1, 2, 3), new Vector3(1.5f, 0.5f, 3.5f)).Rounded(0.4f),
         };
         Vector3[] corners = Corners(plain), turned = [.. corners.Select(p => Pose.TransformPoint(p))];
@@ -83,6 +93,37 @@ public class MassFormTests
 
         // A ball that all but holds the other, from both sides of the border.
         Near(ConvexShape.TaperedCapsule(2, 1, 0.5f), ConvexShape.TaperedCapsule(2, 1, MathF.BitIncrement(0.5f)), 1e-6);
+    }
+
+    /// <summary>Of a box as a mesh, also with corners on its edges and faces, the prisms, edges and corners are those
+    /// of the box; of what is flat, straight or a point likewise.</summary>
+    [Fact]
+    public void RoundedHullsAreRoundedBoxesAndCapsules()
+    {
+        var half = new Vector3(0.5f, 1.5f, 0.75f);
+        foreach (float radius in new[] { 0.001f, 0.3f, 20 })
+        {
+            ConvexShape box = ConvexShape.Box(half).Rounded(radius);
+            Near(box, ConvexShape.Mesh(Clouds.Box(half)).Rounded(radius), 1e-14);
+            float[] thirds = [-1, 0.5f, 1];
+            Vector3[] more =
+                [.. from x in thirds from y in thirds from z in thirds select new Vector3(x, y, z) * half];
+            Near(box, ConvexShape.Mesh(more).Rounded(radius), 1e-14);
+            Near(box.Placed(Pose), ConvexShape.Mesh(more).Rounded(radius).Placed(Pose), 1e-14);
+            Vector3 flat = new(0.5f, 0, 0.75f), high = new(0, 1.5f, 0);
+            Near(ConvexShape.Box(flat).Rounded(radius), ConvexShape.Mesh(Clouds.Box(flat)).Rounded(radius), 1e-14);
+            ConvexShape capsule = ConvexShape.Capsule(radius, 1.5f), ball = ConvexShape.Sphere(radius);
+            Near(capsule, ConvexShape.Mesh([high, -high]).Rounded(radius));
+            Near(capsule, ConvexShape.Triangle(high, -high, high * 0.5f).Rounded(radius));
+            Near(ball, ConvexShape.Triangle(default, default, default).Rounded(radius));
+            Near(ball, ConvexShape.Mesh([Vector3.Zero]).Rounded(radius));
+
+            // Two triangles are a rectangle; what both of them hold is the capsule about their common side.
+            double two = 2 * ConvexShape.Triangle(-flat, flat, new Vector3(0.5f, 0, -0.75f)).Rounded(radius)
+                .GetMassProperties().Volume;
+            double both = ConvexShape.Segment(-flat, flat).Rounded(radius).GetMassProperties().Volume;
+            Assert.Equal(1, (two - both) / ConvexShape.Box(flat).Rounded(radius).GetMassProperties().Volume, 1e-13);
+        }
     }
 
     [Fact]
