@@ -14,7 +14,7 @@ public static partial class ConcaveQuery
     /// <param name="maxFraction">How much of the motion is looked at: 1 for all of it, more for the same motion
     /// continued; less than 0 counts as 0.</param>
     /// <param name="options">Which contacts are passed; by default none. What is inside the union of the parts at the
-    /// start may slide along the union.</param>
+    /// start may slide along the union, and gets no deeper in it.</param>
     /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.Cast</c> has for them;
     /// at the start the pair that overlaps deepest; where several are met at once, one whose normal separates all that
     /// are met at its point; then a face goes before an edge and an edge before a corner; then the least numbers. What
@@ -76,40 +76,35 @@ public static partial class ConcaveQuery
         float tolerance, in CastOptions options, List<CastHit>? all = null)
     {
         if (float.IsNaN(maxFraction)) return InvalidCast;
-        bool isLifted = TryLift(scratch, a, b, options, out RigidPose lifted, out CastOptions liftedOptions);
-        CastHit above = isLifted && all is null
-            ? FirstAbove(scratch, motion, a, b, lifted, maxFraction, tolerance, liftedOptions)
-            : InvalidCast;
-        ref PartCastSearch search = ref scratch.CastSearch;
-        search.Begin(scratch, motion, a, b, maxFraction, tolerance, options);
-        if (isLifted) search.Lift(lifted, liftedOptions);
-        CastHit first = First(scratch, motion, a, b, maxFraction, options, all);
+        var union = new PartsCast(scratch, motion, a, b, maxFraction, tolerance);
+        UnionLift.TryLift(ref union, options, out RigidPose lifted);
+        CastHit first = First(scratch, motion, a, b, maxFraction, tolerance, options, lifted, all);
         if (all is not null) return default;
-        PartSide sideA = scratch.A, sideB = scratch.B;
-        if (above.IsHit && (!first.Result.MayHit || above.CompareTo(first) < 0)) return above;
-        CastResult found = first.Result;
-        bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
-        bool isSolid = sideA.IsSolid || sideB.IsSolid;
         if (options.PassesShallow)
         {
-            return first.IsHit && options.AllowedDepth > 0
-                ? OffSeam(scratch, motion, a, b, maxFraction, tolerance, options, first)
-                : first;
+            double touch = motion == PartMotion.Impact ? scratch.CastSearch.TouchRoom : 0;
+            return UnionLift.OfUnion(ref union, options, lifted, touch, first);
         }
 
+        CastResult found = first.Result;
+        bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
+        bool isSolid = scratch.A.IsSolid || scratch.B.IsSolid;
         if (!isSolid) return first;
         if (!isAtStart && TryInside(scratch, a, b, found, out CastHit inside)) first = inside;
         bool isIn = first.Status == CastStatus.OverlappingAtStart;
         return isIn && SolidExit.TryFind(scratch, out CastHit way) ? way : first;
     }
 
-    /// <summary>Runs the search that the scratch holds.</summary>
+    /// <summary>The first contact of parts that counts, also from where B is lifted to.</summary>
     private static CastHit First(
         ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        in CastOptions options, List<CastHit>? all)
+        float tolerance, in CastOptions options, in RigidPose lifted, List<CastHit>? all)
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
+        search.Begin(scratch, motion, a, b, maxFraction, tolerance, options);
+        if (lifted != b.Pose)
+            search.Lift(lifted, UnionLift.Within(UnionLift.RoundingOf(a.Pose) + UnionLift.RoundingOf(lifted)));
         search.AllCasts = all;
         bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow && all is null
             && !sideA.IsEndless && !sideB.IsEndless;

@@ -3,79 +3,54 @@ namespace Gjk.Core;
 // Casts that pass shallow contacts, of bodies that are in the union of parts: see UnionLift.
 public static partial class ConcaveQuery
 {
-    /// <summary>Where a solid meets the open surface that it has been lifted off: what is behind that when the motion
-    /// begins is not met again, and what crosses it is not in its way from above.</summary>
-    private static CastHit FirstAbove(
-        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, in RigidPose lifted,
-        float maxFraction, float tolerance, in CastOptions options)
-    {
-        PartSide sideA = scratch.A, sideB = scratch.B;
-        if (sideA.IsSolid == sideB.IsSolid || (sideA.IsSolid ? sideB : sideA).Mesh is null) return InvalidCast;
-        var moved = new RigidMotion(lifted, b.Velocity, b.AngularVelocity);
-        sideB.Pose = lifted;
-        scratch.CastSearch.Begin(scratch, motion, a, moved, maxFraction, tolerance, options);
-        CastHit first = First(scratch, motion, a, moved, maxFraction, options, null);
-        sideB.Pose = b.Pose;
-        bool isBelow = Vector3.Dot(first.Result.Normal, lifted.Position - b.Pose.Position) > 0;
-        return first.IsHit && isBelow ? first : InvalidCast;
-    }
-
-    /// <summary>Where B is out of the union of A's parts, and what it may pass from there: what begins deeper in the
-    /// union than is allowed may slide along it, over the seams of its parts.</summary>
-    private static bool TryLift(
-        ConcaveScratch scratch, in RigidMotion a, in RigidMotion b, in CastOptions options, out RigidPose lifted,
-        out CastOptions liftedOptions)
-    {
-        (lifted, liftedOptions) = (b.Pose, options);
-        if (!options.PassesShallow) return false;
-        bool isLifted = false;
-        for (int i = 0; i < UnionLift.MostLifts; i++)
-        {
-            scratch.B.Pose = lifted;
-            var still = new RigidMotion(a.Pose, Vector3.Zero);
-            CastHit start = Move(scratch, PartMotion.Cast, still, new RigidMotion(lifted, Vector3.Zero), 0, 0, default);
-            if (!UnionLift.TryMove(ShorterWay(scratch, start), liftedOptions, 1, ref lifted)) break;
-            isLifted = true;
-            liftedOptions = UnionLift.Within(UnionLift.RoundingOf(a.Pose) + UnionLift.RoundingOf(lifted));
-        }
-
-        scratch.B.Pose = b.Pose;
-        return isLifted;
-    }
-
-    /// <summary>What takes the place of a hit with the seam of parts that B has been passing: the contact with their
-    /// surface.</summary>
-    private static CastHit OffSeam(
+    /// <summary>A's parts as a union in which B moves.</summary>
+    private struct PartsCast(
         ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance, in CastOptions options, in CastHit hit)
+        float tolerance) : IUnionCast
     {
-        PartSide sideA = scratch.A, sideB = scratch.B;
-        CastHit first = Move(scratch, motion, a, b, maxFraction, tolerance, default);
-        RigidPose atA = PartAdvancement.PoseAt(a, first.Fraction), atB = PartAdvancement.PoseAt(b, first.Fraction);
-        if (!ShowsFace(sideA, first.PartA, atA, first.Result.Normal)
-            && !ShowsFace(sideB, first.PartB, atB, -first.Result.Normal))
+        private readonly RigidMotion _a = a, _b = b;
+
+        public readonly float Sign => 1;
+
+        public readonly RigidPose PoseAt(float fraction) => PartAdvancement.PoseAt(_b, fraction);
+
+        public readonly float RoundingAt(float fraction, in RigidPose pose) =>
+            UnionLift.RoundingOf(PartAdvancement.PoseAt(_a, fraction)) + UnionLift.RoundingOf(pose);
+
+        public readonly Double3 WayAt(in Double3 point, float fraction) =>
+            _b.VelocityOf(point, fraction) - _a.VelocityOf(point, fraction);
+
+        public readonly CastResult Along(in RigidPose pose, Vector3 way)
         {
-            return hit;
+            scratch.B.Pose = pose;
+            CastHit start = Move(
+                scratch, PartMotion.Cast, new RigidMotion(_a.Pose, Vector3.Zero), new RigidMotion(pose, way),
+                way == Vector3.Zero ? 0 : 1, 0, default);
+            CastResult found = way == Vector3.Zero ? ShorterWay(scratch, start) : start.Result;
+            scratch.B.Pose = _b.Pose;
+            return found;
         }
 
-        (atA, atB) = (PartAdvancement.PoseAt(a, hit.Fraction), PartAdvancement.PoseAt(b, hit.Fraction));
-        double room = UnionLift.RoundingOf(atA) + UnionLift.RoundingOf(atB);
-        if (motion == PartMotion.Impact) room += scratch.CastSearch.TouchRoom;
-        Double3 point = first.Result.Point;
-        Double3 way = b.VelocityOf(point, first.Fraction) - a.VelocityOf(point, first.Fraction);
-        if (!UnionLift.TryLeave(hit.Result, first.Result, way, options, room, 1, ref atB)) return hit;
-        (sideA.Pose, sideB.Pose) = (atA, atB);
-        CastResult above = Move(
-            scratch, motion, new RigidMotion(atA, a.Velocity, a.AngularVelocity),
-            new RigidMotion(atB, b.Velocity, b.AngularVelocity), maxFraction - hit.Fraction, tolerance, default).Result;
-        (sideA.Pose, sideB.Pose) = (a.Pose, b.Pose);
-        return UnionLift.IsFlush(above, first.Result) ? first : hit;
-    }
+        public readonly CastHit After(float fraction, in RigidPose pose, in CastOptions options)
+        {
+            RigidMotion a = new(PartAdvancement.PoseAt(_a, fraction), _a.Velocity, _a.AngularVelocity);
+            RigidMotion b = new(pose, _b.Velocity, _b.AngularVelocity);
+            (scratch.A.Pose, scratch.B.Pose) = (a.Pose, b.Pose);
+            float most = maxFraction - fraction;
+            CastHit found = options.PassesShallow
+                ? First(scratch, motion, a, b, most, tolerance, options, pose, null)
+                : Move(scratch, motion, a, b, most, tolerance, default);
+            (scratch.A.Pose, scratch.B.Pose) = (_a.Pose, _b.Pose);
+            return found;
+        }
 
-    private static bool ShowsFace(PartSide side, int part, in RigidPose pose, Vector3 normal)
-    {
-        ConvexShape room = default;
-        return MetFeatures.Of(side.Part(Math.Max(part, 0), ref room), pose, normal, out _) == MetFeature.Face;
+        public readonly bool ShowsFace(in CastHit hit)
+        {
+            ConvexShape roomA = default, roomB = default;
+            return MetFeatures.AnyIsFace(
+                scratch.A.Part(Math.Max(hit.PartA, 0), ref roomA), PartAdvancement.PoseAt(_a, hit.Fraction),
+                scratch.B.Part(Math.Max(hit.PartB, 0), ref roomB), PoseAt(hit.Fraction), hit.Result.Normal);
+        }
     }
 
     /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's

@@ -1,5 +1,32 @@
 namespace Gjk.Core;
 
+/// <summary>A body that moves in a union of parts or objects.</summary>
+internal interface IUnionCast
+{
+    /// <summary>1 where the body is B, -1 where it is A.</summary>
+    float Sign { get; }
+
+    /// <summary>Where the body is at a fraction.</summary>
+    RigidPose PoseAt(float fraction);
+
+    /// <summary>World units: what the poses are off by where the body is put somewhere at a fraction.</summary>
+    float RoundingAt(float fraction, in RigidPose pose);
+
+    /// <summary>How a point of the body moves, seen from the union.</summary>
+    Double3 WayAt(in Double3 point, float fraction);
+
+    /// <summary>The first contact of the body that is put somewhere at the start and moves along a way, while the union
+    /// rests; without a way the shortest one out of the union.</summary>
+    CastResult Along(in RigidPose pose, Vector3 way);
+
+    /// <summary>The first contact of the motion after a fraction, of the body that is put somewhere there; the fraction
+    /// is counted from there.</summary>
+    CastHit After(float fraction, in RigidPose pose, in CastOptions options);
+
+    /// <summary>Whether one of what meets has a face there.</summary>
+    bool ShowsFace(in CastHit hit);
+}
+
 /// <summary>Casts that pass shallow contacts, of a body that begins inside a union of parts or objects: the body is
 /// moved out of the union first, by the deepest way out after the other, and what it does not get deeper into from
 /// there is passed. So it slides along the union as along a single body, and a wall still stops it.</summary>
@@ -9,7 +36,7 @@ namespace Gjk.Core;
 internal static class UnionLift
 {
     /// <summary>Count: a corner of a room takes three ways out; more are harmless.</summary>
-    public const int MostLifts = 4;
+    private const int MostLifts = 4;
 
     /// <summary>Ratio to the coordinates and the depth: 2^-20, some roundings of a position to float. Pinned by
     /// UnionSlideTests.</summary>
@@ -19,16 +46,49 @@ internal static class UnionLift
     /// that is smaller is climbed as well as stopped at.</summary>
     private const float SameWay = 0.999f;
 
-    /// <summary>Moves a body out of what it overlaps deeper than is allowed.</summary>
-    /// <param name="start">What a cast says of the start.</param>
-    /// <param name="options">What is allowed.</param>
-    /// <param name="sign">1 for B, -1 for A.</param>
-    /// <param name="pose">Of the body.</param>
-    public static bool TryMove(in CastResult start, in CastOptions options, float sign, ref RigidPose pose)
+    /// <summary>Ratio: 2^-10, the square of a sine, of 1.8 degrees. Between two walls that are as good as parallel no
+    /// way leads along one out of the other.</summary>
+    private const double LeastAlong = 1.0 / (1 << 10);
+
+    /// <summary>Where the body is out of the union if it begins deeper in that than is allowed: what is inside may
+    /// slide along the union, over the seams of its parts.</summary>
+    /// <param name="union">With the body.</param>
+    /// <param name="options">What is passed.</param>
+    /// <param name="lifted">The pose.</param>
+    /// <returns>False where it is not lifted.</returns>
+    public static bool TryLift<T>(ref T union, in CastOptions options, out RigidPose lifted)
+        where T : struct, IUnionCast
     {
-        bool isDeep = start.Status == CastStatus.OverlappingAtStart && start.Depth > options.AllowedDepth;
-        Vector3 moved = pose.Position + sign * start.Depth * start.Normal;
-        if (!isDeep || !Guard.IsFinite(moved) || moved == pose.Position) return false;
+        lifted = union.PoseAt(0);
+        RigidPose start = lifted;
+        if (!options.PassesShallow) return false;
+        float allowed = options.AllowedDepth;
+        Double3 last = default;
+        for (int i = 0; i < MostLifts; i++)
+        {
+            CastResult found = union.Along(lifted, Vector3.Zero);
+            if (found.Status != CastStatus.OverlappingAtStart || !(found.Depth > allowed)) break;
+
+            // Near a covered side of two parts the way out of each leads into the other: it goes along the last one,
+            // which may take it over the surface, from where it could sink.
+            Double3 leaving = (Double3)found.Normal * union.Sign, way = leaving;
+            double back = Double3.Dot(leaving, last), along = 1 - back * back;
+            bool isBent = back < 0 && along > LeastAlong;
+            if (isBent) way = (leaving - last * back) * (1 / along);
+            way *= found.Depth;
+            if (!TryMove(way, ref lifted)) break;
+            if (isBent && union.Along(lifted, (Vector3)(-way)) is { IsHit: true } met)
+                TryMove(-way * met.Fraction, ref lifted);
+            (last, allowed) = (leaving, union.RoundingAt(0, lifted));
+        }
+
+        return lifted != start;
+    }
+
+    private static bool TryMove(in Double3 way, ref RigidPose pose)
+    {
+        var moved = (Vector3)((Double3)pose.Position + way);
+        if (!Guard.IsFinite(moved) || moved == pose.Position) return false;
         pose = new RigidPose(pose.Rotation, moved);
         return true;
     }
@@ -41,31 +101,49 @@ internal static class UnionLift
     /// than is allowed, and what it gets deeper by in short steps adds up.</summary>
     public static CastOptions Within(float rounding) => CastOptions.OnlyDeeper(rounding);
 
-    /// <summary>Whether a hit may be with a seam: the body goes deeper all the way into a surface that it has met
-    /// before and passes. It is moved out of that, and a little further.</summary>
-    /// <param name="hit">On the way.</param>
-    /// <param name="first">The first contact of all: with the surface, as its seams come later.</param>
-    /// <param name="way">How the body moves there, seen from the other.</param>
-    /// <param name="options">What is passed: some depth is allowed, or no surface would be.</param>
-    /// <param name="room">World units: what the poses and the contacts may be off by.</param>
-    /// <param name="sign">1 where the body is B, -1 where it is A.</param>
-    /// <param name="pose">Of the body where it is hit.</param>
-    public static bool TryLeave(
-        in CastResult hit, in CastResult first, in Double3 way, in CastOptions options, double room, float sign,
-        ref RigidPose pose)
+    /// <summary>The first contact with the union, of those with its parts.</summary>
+    /// <param name="union">With the body.</param>
+    /// <param name="options">What is passed.</param>
+    /// <param name="lifted">Where the body is out of the union, or where it begins.</param>
+    /// <param name="touch">World units: so far apart the bodies touch.</param>
+    /// <param name="hit">The first contact of a part that counts from both poses.</param>
+    public static CastHit OfUnion<T>(
+        ref T union, in CastOptions options, in RigidPose lifted, double touch, in CastHit hit)
+        where T : struct, IUnionCast
     {
-        double rate = -sign * Double3.Dot(way, first.Normal), between = (double)hit.Fraction - first.Fraction;
-        double deep = first.Depth + rate * between + 2 * room;
-        var moved = (Vector3)((Double3)pose.Position + (Double3)first.Normal * (sign * deep));
-        bool isIn = first.IsHit && rate > 0 && between >= 0
-            && deep <= 2 * Math.Max(options.AllowedDepth, first.Depth) + 4 * room;
-        if (!isIn || hit.Normal == first.Normal || !Guard.IsFinite(moved)) return false;
-        pose = new RigidPose(pose.Rotation, moved);
-        return true;
+        RigidPose start = union.PoseAt(0);
+        if (lifted != start)
+        {
+            // The part that it comes down on need not be one that it leaves by the same way, so it may be passed where
+            // the body begins: the body would sink on. What is met at once is what it was lifted off, too.
+            float rounding = union.RoundingAt(0, lifted);
+            CastHit above = union.After(0, lifted, Within(rounding));
+            CastResult met = above.Result;
+            bool isBelow = union.Sign * Vector3.Dot(met.Normal, lifted.Position - start.Position) > 0
+                || union.WayAt(met.Point, 0).Length * met.Fraction <= rounding;
+            if (above.IsHit && isBelow && (!hit.Result.MayHit || above.CompareTo(hit) < 0)) return above;
+        }
+
+        return hit.IsHit && options.AllowedDepth > 0 ? OffSeam(ref union, options, touch, hit) : hit;
     }
 
-    /// <summary>Whether what is met from outside of the surface is that surface, or nothing.</summary>
-    public static bool IsFlush(in CastResult above, in CastResult start) => !above.MayHit || IsSameWay(above, start);
-
-    private static bool IsSameWay(in CastResult a, in CastResult b) => Vector3.Dot(a.Normal, b.Normal) > SameWay;
+    /// <summary>What takes the place of a hit with the seam of what the body has been passing: the contact with the
+    /// surface, its first of all, as seams come later. The hit may be with a seam if the body goes deeper all the way
+    /// into a face that it passes. It is moved out of that, and a little further: if it then meets that surface, or
+    /// nothing, no wall was hit.</summary>
+    private static CastHit OffSeam<T>(ref T union, in CastOptions options, double touch, in CastHit hit)
+        where T : struct, IUnionCast
+    {
+        CastHit surface = union.After(0, union.PoseAt(0), default);
+        CastResult first = surface.Result;
+        if (!first.IsHit || hit.Result.Normal == first.Normal || !union.ShowsFace(surface)) return hit;
+        RigidPose at = union.PoseAt(hit.Fraction);
+        double room = union.RoundingAt(hit.Fraction, at) + touch, between = (double)hit.Fraction - first.Fraction;
+        double rate = -union.Sign * Double3.Dot(union.WayAt(first.Point, first.Fraction), first.Normal);
+        double deep = first.Depth + rate * between + 2 * room;
+        bool isIn = rate > 0 && between >= 0 && deep <= 2 * Math.Max(options.AllowedDepth, first.Depth) + 4 * room;
+        if (!isIn || !TryMove((Double3)first.Normal * (union.Sign * deep), ref at)) return hit;
+        CastResult above = union.After(hit.Fraction, at, default).Result;
+        return !above.MayHit || Vector3.Dot(above.Normal, first.Normal) > SameWay ? surface : hit;
+    }
 }

@@ -33,6 +33,11 @@ internal static class MetFeatures
         return isRoundA ? second : isRoundB || first < second ? first : second;
     }
 
+    /// <summary>Whether one of the shapes shows a face, or is round, where both meet.</summary>
+    public static bool AnyIsFace(
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, Vector3 normal) =>
+        Of(a, poseA, normal, out _) == MetFeature.Face || Of(b, poseB, -normal, out _) == MetFeature.Face;
+
     /// <summary>The feature that a shape shows in a direction.</summary>
     public static unsafe MetFeature Of(in ConvexShape shape, in RigidPose pose, Vector3 normal, out bool isRound)
     {

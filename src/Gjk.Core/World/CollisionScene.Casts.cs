@@ -24,31 +24,17 @@ public sealed partial class CollisionScene
         in QueryFilter filter = default, in CastOptions options = default)
     {
         CheckCast(shape, pose, translation, maxFraction);
-        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
-        hit = First(moving, maxFraction);
-        if (hit.IsHit && options.AllowedDepth > 0)
-            hit = OffSeam(moving, pose, maxFraction, options, hit);
+        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options, out UnionCast union);
+        hit = First(moving);
+        if (options.PassesShallow) hit = UnionLift.OfUnion(ref union, options, moving.Lifted, 0, hit);
         return hit.Id >= 0;
     }
 
-    private CastHit First(in MovingShape moving, float maxFraction)
+    private CastHit First(in MovingShape moving)
     {
-        var first = new FirstCastHit(_objects, moving, maxFraction);
+        var first = new FirstCastHit(_objects, moving);
         _phase.Sweep(moving.Path(), ref first);
         return first.Hit;
-    }
-
-    /// <summary>What takes the place of a hit with the seam of objects that the shape has been passing: the contact
-    /// with their surface.</summary>
-    private CastHit OffSeam(
-        in MovingShape moving, in RigidPose pose, float maxFraction, in CastOptions options, in CastHit hit)
-    {
-        CastHit first = First(moving.StoppedAfter(0, pose), maxFraction);
-        RigidPose at = moving.PoseAt(hit.Fraction);
-        float room = UnionLift.RoundingOf(at);
-        if (!UnionLift.TryLeave(hit.Result, first.Result, moving.Translation, options, room, -1, ref at)) return hit;
-        CastResult above = First(moving.StoppedAfter(hit.Fraction, at), maxFraction - hit.Fraction).Result;
-        return UnionLift.IsFlush(above, first.Result) ? first : hit;
     }
 
     /// <summary>All objects that a shape meets when it is translated, as it would without the others.</summary>
@@ -72,7 +58,7 @@ public sealed partial class CollisionScene
     {
         CheckCast(shape, pose, translation, maxFraction);
         Guard.NotNull(results, nameof(results)).Clear();
-        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
+        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options, out _);
         var all = new AllCastHits(_objects, moving, results, eachPart);
         _phase.Sweep(moving.Path(), ref all);
         InPlaceSort.Sort(results);
@@ -80,19 +66,33 @@ public sealed partial class CollisionScene
 
     private MovingShape Moving(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
-        in CastOptions options)
+        in CastOptions options, out UnionCast union)
     {
         var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options, pose);
-        if (!options.PassesShallow) return moving;
-        RigidPose lifted = pose;
-        for (int i = 0; i < UnionLift.MostLifts; i++)
-        {
-            CastHit start = First(moving.RestingAt(lifted), 0);
-            CastOptions passed = lifted == pose ? options : UnionLift.Within(UnionLift.RoundingOf(lifted));
-            if (!UnionLift.TryMove(start.Result, passed, -1, ref lifted)) break;
-        }
+        union = new UnionCast(this, moving);
+        return UnionLift.TryLift(ref union, options, out RigidPose lifted) ? moving.LiftedTo(lifted) : moving;
+    }
 
-        return lifted == pose ? moving : moving.LiftedTo(lifted);
+    /// <summary>The objects as a union.</summary>
+    private struct UnionCast(CollisionScene scene, in MovingShape moving) : IUnionCast
+    {
+        private readonly MovingShape _moving = moving;
+
+        public readonly float Sign => -1;
+
+        public readonly RigidPose PoseAt(float fraction) => _moving.PoseAt(fraction);
+
+        public readonly float RoundingAt(float fraction, in RigidPose pose) => UnionLift.RoundingOf(pose);
+
+        public readonly Double3 WayAt(in Double3 point, float fraction) => _moving.Translation;
+
+        public readonly CastResult Along(in RigidPose pose, Vector3 way) =>
+            scene.First(_moving.From(pose, way, way == Vector3.Zero ? 0 : 1, default)).Result;
+
+        public readonly CastHit After(float fraction, in RigidPose pose, in CastOptions options) =>
+            scene.First(_moving.From(pose, _moving.Translation, _moving.MaxFraction - fraction, options));
+
+        public readonly bool ShowsFace(in CastHit hit) => _moving.ShowsFace(scene._objects, hit);
     }
 
     private static void CheckCast(in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction)

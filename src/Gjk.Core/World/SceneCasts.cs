@@ -7,48 +7,55 @@ internal readonly struct MovingShape(
 {
     public readonly QueryFilter Filter = filter;
     public readonly Vector3 Translation = translation;
+    public readonly float MaxFraction = maxFraction;
     private readonly ConvexShape _shape = shape;
     private readonly RigidPose _pose = pose;
     private readonly CastOptions _options = options;
 
     /// <summary>Where it is out of the union of the objects, if it begins deeper in that than is allowed; else where it
     /// begins.</summary>
-    private readonly RigidPose _lifted = lifted;
+    public readonly RigidPose Lifted = lifted;
 
-    /// <summary>The same shape at rest, elsewhere.</summary>
-    public MovingShape RestingAt(in RigidPose at) => new(_shape, at, Vector3.Zero, 0, Filter, default, at);
-
-    /// <summary>What is left of the motion after a fraction, from another pose, which passes nothing.</summary>
-    public MovingShape StoppedAfter(float fraction, in RigidPose from) =>
-        new(_shape, from, Translation, maxFraction - fraction, Filter, default, from);
+    /// <summary>The same shape from elsewhere, on another way.</summary>
+    public MovingShape From(in RigidPose at, Vector3 way, float most, in CastOptions passed) =>
+        new(_shape, at, way, most, Filter, passed, at);
 
     /// <summary>Where it is after a fraction of the motion.</summary>
     public RigidPose PoseAt(float fraction) =>
         new(_pose.Rotation, (Vector3)((Double3)_pose.Position + (Double3)Translation * fraction));
 
     /// <summary>The same motion, which passes what it does not get deeper into from another pose.</summary>
-    public MovingShape LiftedTo(in RigidPose at) => new(_shape, _pose, Translation, maxFraction, Filter, _options, at);
+    public MovingShape LiftedTo(in RigidPose at) => new(_shape, _pose, Translation, MaxFraction, Filter, _options, at);
 
     /// <summary>When it meets an object.</summary>
     public CastHit Cast(SceneObjects objects, int slot)
     {
         CastHit found = Cast(objects, slot, _pose, _options);
-        bool isLifted = _lifted != _pose && found.Result.MayHit;
-        return isLifted && !Cast(objects, slot, _lifted, UnionLift.Within(UnionLift.RoundingOf(_lifted))).Result.MayHit
-            ? new CastHit(CastResult.Nothing(CastStatus.Miss, maxFraction, 0))
+        bool isLifted = Lifted != _pose && found.Result.MayHit;
+        return isLifted && !Cast(objects, slot, Lifted, UnionLift.Within(UnionLift.RoundingOf(Lifted))).Result.MayHit
+            ? new CastHit(CastResult.Nothing(CastStatus.Miss, MaxFraction, 0))
             : found;
     }
 
     private CastHit Cast(SceneObjects objects, int slot, in RigidPose from, in CastOptions passed)
     {
-        if (objects.Parts.Has(slot)) return objects.Parts.Cast(_shape, from, Translation, slot, maxFraction, passed);
+        if (objects.Parts.Has(slot)) return objects.Parts.Cast(_shape, from, Translation, slot, MaxFraction, passed);
         ref readonly ConvexShape other = ref objects.Shapes[slot];
         ref readonly RigidPose at = ref objects.Poses[slot];
-        CastResult found = ConvexQuery.Cast(_shape, from, Translation, other, at, Vector3.Zero, maxFraction, passed);
+        CastResult found = ConvexQuery.Cast(_shape, from, Translation, other, at, Vector3.Zero, MaxFraction, passed);
         MetFeature feature = found.Status == CastStatus.Hit
             ? MetFeatures.Of(_shape, from, other, at, found.Normal)
             : MetFeature.None;
         return new CastHit(found, feature: feature);
+    }
+
+    /// <summary>Whether it or the object has a face where they meet.</summary>
+    public bool ShowsFace(SceneObjects objects, in CastHit hit)
+    {
+        int slot = objects.SlotOf(hit.Id);
+        ConvexShape room = default;
+        return slot >= 0 && MetFeatures.AnyIsFace(
+            _shape, _pose, objects.Parts.Part(slot, hit.PartB, ref room), objects.Poses[slot], hit.Result.Normal);
     }
 
     /// <summary>Adds every part of an object that it meets.</summary>
@@ -58,7 +65,7 @@ internal readonly struct MovingShape(
         List<CastHit> parts = scratch.Casts;
         ConcaveQuery.CastAll(
             AnyShape.Of(_shape), _pose, Translation, objects.Parts[slot], objects.Poses[slot], Vector3.Zero, scratch,
-            parts, maxFraction, _options);
+            parts, MaxFraction, _options);
         for (int i = 0; i < parts.Count; i++) hits.Add(parts[i].Of(objects.Ids[slot]));
         objects.Parts.Return(scratch);
     }
@@ -67,16 +74,16 @@ internal readonly struct MovingShape(
     public SweptBox Path()
     {
         Aabb box = new ShapeBounds(_shape).BoxAt(_pose);
-        return new SweptBox(box.Min, box.Max, Translation, maxFraction);
+        return new SweptBox(box.Min, box.Max, Translation, MaxFraction);
     }
 }
 
 /// <summary>The first object that a moving shape meets, of those that the broad phase shows.</summary>
 /// <remarks>Each object is asked about the whole motion, as <see cref="FirstRayHit"/> does it.</remarks>
-internal struct FirstCastHit(SceneObjects objects, in MovingShape shape, float maxFraction) : ISweepVisitor
+internal struct FirstCastHit(SceneObjects objects, in MovingShape shape) : ISweepVisitor
 {
     /// <summary>What was found; an id of -1 where nothing was.</summary>
-    public CastHit Hit = new(CastResult.Nothing(CastStatus.Miss, maxFraction, 0));
+    public CastHit Hit = new(CastResult.Nothing(CastStatus.Miss, shape.MaxFraction, 0));
 
     private readonly MovingShape _shape = shape;
     private double _limit = double.PositiveInfinity;

@@ -98,21 +98,56 @@ internal sealed class SceneSet
         return new CastHit(found, feature: feature);
     }
 
-    /// <summary>Where a body is out of all objects that it may see, by the deepest after the other.</summary>
+    /// <summary>Where a body is out of all objects that it may see.</summary>
     public RigidPose Lifted(
-        ConvexShape shape, RigidPose pose, in QueryFilter filter, in CastOptions options)
+        ConvexShape shape, RigidPose pose, Vector3 motion, float most, in QueryFilter filter, in CastOptions options)
     {
-        for (int i = 0; i < UnionLift.MostLifts && options.PassesShallow; i++)
-        {
-            RigidPose now = pose;
-            CastHit start = Seen(filter).Select(
-                k => CastAt(k, shape, now, Vector3.Zero, 0, default, now).Of(k))
-                .Where(h => h.Result.MayHit).Order().FirstOrDefault();
-            CastOptions passed = i == 0 ? options : UnionLift.Within(UnionLift.RoundingOf(pose));
-            if (!UnionLift.TryMove(start.Result, passed, -1, ref pose)) break;
-        }
+        var union = new EachAlone(this, shape, pose, motion, most, [.. Seen(filter)]);
+        UnionLift.TryLift(ref union, options, out RigidPose lifted);
+        return lifted;
+    }
 
-        return pose;
+    /// <summary>What takes the place of the first hit with an object: the first contact with all of them.</summary>
+    public CastHit OfUnion(
+        ConvexShape shape, RigidPose pose, Vector3 motion, float most, in QueryFilter filter, in CastOptions options,
+        in RigidPose lifted, CastHit hit)
+    {
+        var union = new EachAlone(this, shape, pose, motion, most, [.. Seen(filter)]);
+        return options.PassesShallow ? UnionLift.OfUnion(ref union, options, lifted, 0, hit) : hit;
+    }
+
+    private struct EachAlone(
+        SceneSet set, ConvexShape shape, RigidPose start, Vector3 motion, float most, int[] seen) : IUnionCast
+    {
+        public readonly float Sign => -1;
+
+        public readonly RigidPose PoseAt(float fraction) => new(
+            start.Rotation, (Vector3)((Double3)start.Position + (Double3)motion * fraction));
+
+        public readonly float RoundingAt(float fraction, in RigidPose pose) => UnionLift.RoundingOf(pose);
+
+        public readonly Double3 WayAt(in Double3 point, float fraction) => motion;
+
+        public readonly CastResult Along(in RigidPose pose, Vector3 way) =>
+            First(pose, way, way == Vector3.Zero ? 0 : 1, default).Result;
+
+        public readonly CastHit After(float fraction, in RigidPose pose, in CastOptions options) =>
+            First(pose, motion, most - fraction, options);
+
+        public readonly bool ShowsFace(in CastHit hit) => MetFeatures.AnyIsFace(
+            shape, start, set.World.Shapes[hit.Id], set.World.Poses[hit.Id], hit.Result.Normal);
+
+        private readonly CastHit First(RigidPose pose, Vector3 way, float limit, CastOptions options)
+        {
+            var first = new CastHit(CastResult.Nothing(CastStatus.Miss, limit, 0));
+            foreach (int i in seen)
+            {
+                CastHit hit = set.CastAt(i, shape, pose, way, limit, options, pose).Of(i);
+                if (hit.Result.MayHit && (first.Id < 0 || hit.CompareTo(first) < 0)) first = hit;
+            }
+
+            return first;
+        }
     }
 
     public bool Overlaps(int i, in ConvexShape shape, in RigidPose pose) =>

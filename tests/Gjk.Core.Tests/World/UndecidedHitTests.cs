@@ -12,7 +12,7 @@ public class UndecidedHitTests
     [Fact]
     public void ACastThatIsUndecidedBeforeTheFirstHitIsTold()
     {
-        var first = new FirstCastHit(null!, default, 1);
+        var first = new FirstCastHit(null!, default);
         Assert.Equal((-1, CastStatus.Miss), (first.Hit.Id, first.Hit.Status));
         first.Take(7, new CastHit(LateHit));
         first.Take(9, new CastHit(Undecided));

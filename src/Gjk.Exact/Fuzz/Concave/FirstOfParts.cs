@@ -86,7 +86,54 @@ internal static class FirstOfParts
 
         // What begins deeper in the union than is allowed may slide along it, so that some contacts do not count.
         bool slides = options.PassesShallow && pair.Least == 0;
-        return slides ? Own(pair, all, found) : First(pair, all, found);
+        if (!slides) return First(pair, all, found);
+        return Own(pair, all, found) is { } how && !IsOfUnion(pair, found, options) ? how : null;
+    }
+
+    /// <summary>Count: so often what begins in a union is moved out of a part.</summary>
+    private const int MostLifts = 4;
+
+    /// <summary>Whether a contact is that of its parts from where B is out of the union: by the deepest way out after
+    /// the other; one that leads back goes along the last, and back to the touch.</summary>
+    private static bool IsOfUnion(ConcavePair pair, in CastHit found, in CastOptions options)
+    {
+        RigidPose pose = pair.PoseB;
+        float allowed = options.AllowedDepth;
+        Double3 last = default;
+        for (int i = 0; i < MostLifts; i++)
+        {
+            CastResult start = Along(pair, pose, Vector3.Zero);
+            if (start.Status != CastStatus.OverlappingAtStart || !(start.Depth > allowed)) break;
+            Double3 normal = start.Normal, way = normal;
+            double back = Double3.Dot(normal, last), along = 1 - back * back;
+            bool isBent = back < 0 && along > 1.0 / 1024;
+            if (isBent) way = (normal - last * back) * (1 / along);
+            way *= start.Depth;
+            pose = Moved(pose, way);
+            if (isBent && Along(pair, pose, (Vector3)(-way)) is { IsHit: true } met)
+                pose = Moved(pose, -way * met.Fraction);
+            (last, allowed) = (normal, RoundingOf(pair.PoseA) + RoundingOf(pose));
+        }
+
+        int index = pair.IndexOf(found.PartA, found.PartB);
+        if (index < 0 || pose == pair.PoseB) return false;
+        CastResult own = ConvexQuery.Cast(
+            pair.PartsA[index / pair.PartsB.Length], pair.PoseA, pair.Motion.A,
+            pair.PartsB[index % pair.PartsB.Length], pose, pair.Motion.B, 1,
+            CastOptions.OnlyDeeper(RoundingOf(pair.PoseA) + RoundingOf(pose)));
+        return own.Status == found.Status && own.Fraction == found.Fraction && own.Normal == found.Result.Normal;
+    }
+
+    private static CastResult Along(ConcavePair pair, in RigidPose pose, Vector3 way) => ConcaveQuery.Cast(
+        pair.A, pair.PoseA, Vector3.Zero, pair.B, pose, way, pair.Scratch, way == Vector3.Zero ? 0 : 1).Result;
+
+    private static RigidPose Moved(in RigidPose pose, in Double3 way) =>
+        new(pose.Rotation, (Vector3)((Double3)pose.Position + way));
+
+    private static float RoundingOf(in RigidPose pose)
+    {
+        Vector3 at = Vector3.Abs(pose.Position);
+        return (float)(((double)at.X + at.Y + at.Z) / (1 << 20));
     }
 
     public static string? Impacts(ConcavePair pair)
