@@ -17,8 +17,18 @@ internal static class OutputConsole
     /// <summary>Standard output for text.</summary>
     public static TextWriter Out => StandardStreams.Current?.Out ?? Console.Out;
 
-    /// <summary>Standard input for bytes.</summary>
-    public static Stream OpenInput() => StandardStreams.Current?.Input ?? Console.OpenStandardInput();
+    /// <summary>Standard input for bytes. Who is to type them is told so, and how they end.</summary>
+    public static Stream OpenInput()
+    {
+        if (StandardStreams.Current is { } given) return given.Input;
+        if (!Console.IsInputRedirected)
+        {
+            string end = OperatingSystem.IsWindows() ? "Ctrl-Z and Enter" : "Ctrl-D";
+            StandardError.Line($"reads what is typed here, until {end} on a line of its own");
+        }
+
+        return Console.OpenStandardInput();
+    }
 
     /// <summary>Turns a failed write to <see cref="Out"/> into a refusal, unless it is a terminal.</summary>
     public static void RefuseFailures(CancellationToken cancel)

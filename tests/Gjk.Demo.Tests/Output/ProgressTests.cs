@@ -47,6 +47,24 @@ public sealed class ProgressTests
         Assert.DoesNotContain("%", run.Error);
     }
 
+    /// <summary>Who reads from a terminal is told that it waits, and how to end.</summary>
+    [LinuxFact]
+    public void ATerminalIsToldThatItIsRead()
+    {
+        if (!File.Exists("/usr/bin/script")) return;
+        using var directory = new TempDirectory();
+        directory.Write("s.json", Scene.ReplaceLineEndings("") + "\n");
+        const string Hint = "reads what is typed here, until Ctrl-D";
+        DemoRun typed = DemoProcess.Shell(
+            """cd "$1"; script -qec '"$GJK_HOST" "$GJK_DEMO" query - --out out' /dev/null < s.json""", directory.Path);
+        Assert.Equal(0, typed.ExitCode);
+        Assert.Contains(Hint, typed.Out);
+        Assert.True(File.Exists(directory.File("out")));
+        DemoRun piped = DemoProcess.Shell("""cd "$1"; "$GJK_HOST" "$GJK_DEMO" query - < s.json""", directory.Path);
+        piped.AssertDone();
+        Assert.DoesNotContain(Hint, piped.Error);
+    }
+
     private static void WriteLargeMesh(TempDirectory directory)
     {
         string vertices = string.Join(
