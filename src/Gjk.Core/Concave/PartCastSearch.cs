@@ -5,9 +5,8 @@ namespace Gjk.Core;
 /// <remarks>The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their
 /// distance where the search begins, which closes no faster than the velocities and the turns of the furthest points
 /// allow. <see cref="PartAdvancement"/> says where that is. Exactness: parts are asked up to the float after the least
-/// fraction so far, since a contact may be found behind it and still round to it; of those that
-/// are equal in <see cref="ContactOrder"/> the best feature stays, then the least numbers. So the answer is that of all
-/// pairs asked in turn.</remarks>
+/// fraction so far, since a contact may be found behind it and still round to it; of those that are equal in
+/// <see cref="ContactOrder"/> the best feature stays, then the least numbers: that of all pairs in turn.</remarks>
 internal struct PartCastSearch
 {
     /// <summary>Ratio: 2^-18; more than rounding makes of the products with a fraction. More only costs time.</summary>
@@ -245,7 +244,8 @@ internal struct PartCastSearch
         if (isIdle && _motion == PartMotion.Cast) TryPlane(scratch, partA, partB);
         CastResult found = Move(a, b, _b, most, _options);
         if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
-        if (_isLifted && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
+        if (_isLifted && !UnionLift.IsOutOf(found, _b.Pose, _lifted.Pose, 1)
+            && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
         MetFeature feature = MetFeature.None;
         if (found.Status == CastStatus.Hit)
         {

@@ -76,7 +76,9 @@ internal static class UnionLift
             bool isBent = back < 0 && along > LeastAlong;
             if (isBent) way = (leaving - last * back) * (1 / along);
             way *= found.Depth;
-            if (!TryMove(way, ref lifted)) break;
+
+            // What is less deep than its position is rounded to lies on a seam as well as in it.
+            if (!TryMove(way, ref lifted) && !TryMove(leaving * union.RoundingAt(0, lifted), ref lifted)) break;
             if (isBent && union.Along(lifted, (Vector3)(-way)) is { IsHit: true } met)
                 TryMove(-way * met.Fraction, ref lifted);
             (last, allowed) = (leaving, union.RoundingAt(0, lifted));
@@ -100,6 +102,20 @@ internal static class UnionLift
     /// <summary>What is passed where a body is lifted to, and on the way there: what rounding makes. It begins deeper
     /// than is allowed, and what it gets deeper by in short steps adds up.</summary>
     public static CastOptions Within(float rounding) => CastOptions.OnlyDeeper(rounding);
+
+    /// <summary>Whether the way out of a part is that out of the union: what gets deeper in that part gets deeper in
+    /// the union, by however little.</summary>
+    /// <param name="part">What a cast at the part says.</param>
+    /// <param name="start">Where the body begins.</param>
+    /// <param name="lifted">Where it is out of the union.</param>
+    /// <param name="sign">1 where the body is B, -1 where it is A.</param>
+    public static bool IsOutOf(in CastResult part, in RigidPose start, in RigidPose lifted, float sign)
+    {
+        if (part.Status != CastStatus.OverlappingAtStart) return false;
+        Double3 way = (Double3)lifted.Position - start.Position;
+        return (way - (Double3)part.Normal * (sign * part.Depth)).SumOfMagnitudes
+            <= RoundingOf(lifted) + Rounding * part.Depth;
+    }
 
     /// <summary>The first contact with the union, of those with its parts.</summary>
     /// <param name="union">With the body.</param>

@@ -20,13 +20,15 @@ public readonly struct CastOptions : IEquatable<CastOptions>
     /// other than is allowed, and deeper than they are at the start. So what overlaps at the start may slide and leave,
     /// and a body that slides over the seam of two flush tiles is not stopped. Of meshes, compounds and scenes a
     /// contact of a part counts only if it does so from where the body is out of their union, too: what is inside the
-    /// union at the start may slide along it, but gets no deeper, however short its steps are. Where it would, and no
-    /// part says so as early, the contact is the one with the union from there. The fraction of any other contact that
-    /// counts is still the one at which the shapes first share a point. Where a cast along flush parts gets too deep in
-    /// one of them, the contact is the first with their surface, not that with the seam.</summary>
+    /// union at the start may slide along it, but gets no deeper, however short its steps are; on rough ground, whose
+    /// way out may be another one where the motion ends, a step may end deeper, and the next is stopped. Where the
+    /// union is met, and no part says so as early, the contact is the one with the union from there. The fraction of
+    /// any other contact that counts is still the one at which the shapes first share a point. Where a cast along flush
+    /// parts gets too deep in one of them, the contact is the first with their surface, not that with the seam.
+    /// </summary>
     /// <param name="allowedDepth">World units, at least 0. What positions in float are off by, some 1e-6 of the sizes
     /// and coordinates, is too little to see and enough for seams. A millionth of the way after the contact is allowed
-    /// on top of it: what rounding does to a motion along a surface.</param>
+    /// on top of it where a face is met: what rounding does to a motion along a surface.</param>
     /// <exception cref="ArgumentOutOfRangeException">The depth is negative, NaN or infinite.</exception>
     public static CastOptions OnlyDeeper(float allowedDepth = 0)
     {

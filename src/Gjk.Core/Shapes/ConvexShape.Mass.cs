@@ -9,8 +9,8 @@ public readonly partial struct ConvexShape
     /// time in proportion to its triangles; keep the result.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The density is negative, NaN or infinite.</exception>
     /// <exception cref="InvalidOperationException">This is a half-space, a shape of the caller's own, a <c>default</c>
-    /// struct, a rounded cylinder, cone or ellipsoid, or what was rounded after it was scaled unevenly: there is no
-    /// closed form here.</exception>
+    /// struct, or rounded: a cylinder, cone or ellipsoid, a mesh, capsule or tapered capsule that was scaled unevenly
+    /// before, or anything that was placed and scaled before. There is no closed form here.</exception>
     public MassProperties GetMassProperties(float density = 1)
     {
         Guard.NonNegative(density, nameof(density));

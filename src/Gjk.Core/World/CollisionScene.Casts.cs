@@ -8,7 +8,8 @@ public sealed partial class CollisionScene
     /// <param name="pose">Its pose at the start.</param>
     /// <param name="translation">Its motion over the fractions from 0 to 1, in world units.</param>
     /// <param name="hit">The object (B), or -1 where there is none, the part, and when they first touch, with the bits
-    /// of <c>ConvexQuery.Cast</c>; a miss where there is none. An object whose query ends with
+    /// of <c>ConvexQuery.Cast</c>, from where the shape is out of the objects if it begins in several and
+    /// <see cref="CastOptions.OnlyDeeper"/> says so; a miss where there is none. An object whose query ends with
     /// <see cref="CastStatus.IterationLimit"/> counts as met at its fraction, up to which nothing is proved to be in
     /// the way.</param>
     /// <param name="maxFraction">How much of the motion is looked at: at least 0; 1 for all of it, more for the same

@@ -31,7 +31,8 @@ internal readonly struct MovingShape(
     public CastHit Cast(SceneObjects objects, int slot)
     {
         CastHit found = Cast(objects, slot, _pose, _options);
-        bool isLifted = Lifted != _pose && found.Result.MayHit;
+        bool isLifted = Lifted != _pose && found.Result.MayHit
+            && !UnionLift.IsOutOf(found.Result, _pose, Lifted, -1);
         return isLifted && !Cast(objects, slot, Lifted, UnionLift.Within(UnionLift.RoundingOf(Lifted))).Result.MayHit
             ? new CastHit(CastResult.Nothing(CastStatus.Miss, MaxFraction, 0))
             : found;

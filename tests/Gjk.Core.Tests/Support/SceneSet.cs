@@ -89,7 +89,7 @@ internal sealed class SceneSet
         (ConvexShape other, RigidPose at) = (World.Shapes[i], World.Poses[i]);
         CastResult found = ConvexQuery.Cast(shape, pose, motion, other, at, Vector3.Zero, most, options);
         CastOptions within = UnionLift.Within(UnionLift.RoundingOf(lifted));
-        bool isPassed = lifted != pose
+        bool isPassed = lifted != pose && !UnionLift.IsOutOf(found, pose, lifted, -1)
             && !ConvexQuery.Cast(shape, lifted, motion, other, at, Vector3.Zero, most, within).MayHit;
         if (found.MayHit && isPassed) found = CastResult.Nothing(CastStatus.Miss, most, 0);
         MetFeature feature = found.Status == CastStatus.Hit

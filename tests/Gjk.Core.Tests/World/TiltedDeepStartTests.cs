@@ -60,6 +60,80 @@ public class TiltedDeepStartTests
         Assert.InRange((double)slid / count, 0.5, 1);
     }
 
+    /// <summary>However short the steps are: what the way out of the floor leads against is no rounding.</summary>
+    [Theory]
+    [InlineData("field")]
+    [InlineData("tiles")]
+    [InlineData("compound")]
+    public void ShortStepsDownDoNotAddUp(string floor)
+    {
+        var scene = new CollisionScene();
+        AddTiles(scene, floor);
+        foreach (ConvexShape body in new[] { ConvexShape.Sphere(0.5f), ConvexShape.Capsule(0.4f, 0.1f) })
+        {
+            foreach (float aside in new[] { 0, 0.01f })
+            {
+                Vector3 at = new(0.1f, 0.4f, 0.27f), way = new(aside, -5e-6f, aside);
+                for (int frame = 0; frame < 300; frame++)
+                {
+                    bool isHit = scene.TryFindCastHit(
+                        body, new RigidPose(at), way, out CastHit hit, options: CastOptions.OnlyDeeper());
+                    Assert.True(isHit || aside > 0, $"{frame}");
+                    Vector3 rest = (1 - hit.Fraction) * way;
+                    at += hit.Fraction * way;
+                    if (isHit) at += rest - Vector3.Dot(rest, hit.Result.Normal) * hit.Result.Normal;
+                }
+
+                Assert.InRange(at.Y, 0.4f - 1e-5f, 0.41f);
+            }
+        }
+    }
+
+    /// <summary>A scene of one convex object has the answer of the pair, to the last bit.</summary>
+    [Fact]
+    public void OneObjectAnswersAsThePair()
+    {
+        var random = new FuzzRandom(5);
+        int within = 0;
+        for (int i = 0; i < 4000; i++)
+        {
+            var box = ConvexShape.Box(new Vector3(random.Float(0.1, 1), random.Float(0.1, 1), random.Float(0.1, 1)));
+            var pose = new RigidPose(Rotations.Even(random), random.Vector(2));
+            var scene = new CollisionScene();
+            scene.Add(box, pose);
+            ConvexShape body = ConvexShape.Sphere(random.Float(0.05, 0.5));
+            RigidPose at = new(pose.Position + random.Vector(1));
+            Vector3 way = random.Vector(1) * MathF.Pow(10, random.Float(-5, 0));
+            CastOptions options = CastOptions.OnlyDeeper(random.OneIn(2) ? 0 : 1e-3f);
+            CastResult pair = ConvexQuery.Cast(body, at, way, box, pose, Vector3.Zero, 1, options);
+            scene.TryFindCastHit(body, at, way, out CastHit hit, options: options);
+            if (pair.Status == CastStatus.OverlappingAtStart) within++;
+            Assert.True(
+                hit.Status == pair.Status && hit.Result.Normal.Equals(pair.Normal) && hit.Result.Depth == pair.Depth,
+                $"{i}: {hit} for {pair}");
+        }
+
+        Assert.InRange(within, 100, 4000);
+    }
+
+    /// <summary>Less deep than its position can say, it slides over the seams of flush tiles all the same.</summary>
+    [Fact]
+    public void ARoundingDeepIsNoWall()
+    {
+        var scene = new CollisionScene();
+        AddTiles(scene, "tiles");
+        ConvexShape capsule = ConvexShape.Capsule(0.4f, 0.6f);
+        for (int i = 0; i < 100; i++)
+        {
+            var random = new FuzzRandom((ulong)i);
+            Vector3 at = new(random.Float(-2, 2), 1, random.Float(-2, 2));
+            Vector3 way = new(random.Float(-3, 3), 0, random.Float(-3, 3));
+            bool isHit = scene.TryFindCastHit(
+                capsule, new RigidPose(at), way, out CastHit hit, options: CastOptions.OnlyDeeper());
+            Assert.False(isHit, $"{i}: {at} by {way}: {hit}");
+        }
+    }
+
     /// <summary>A flat floor at height 0 of squares of .5 or 1.</summary>
     private static void AddTiles(CollisionScene scene, string floor)
     {

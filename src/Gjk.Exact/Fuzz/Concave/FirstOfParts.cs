@@ -94,7 +94,8 @@ internal static class FirstOfParts
     private const int MostLifts = 4;
 
     /// <summary>Whether a contact is that of its parts from where B is out of the union: by the deepest way out after
-    /// the other; one that leads back goes along the last, and back to the touch.</summary>
+    /// the other; one that leads back goes along the last, and back to the touch; one that is less than a position can
+    /// say is as long as its rounding.</summary>
     private static bool IsOfUnion(ConcavePair pair, in CastHit found, in CastOptions options)
     {
         RigidPose pose = pair.PoseB;
@@ -109,7 +110,9 @@ internal static class FirstOfParts
             bool isBent = back < 0 && along > 1.0 / 1024;
             if (isBent) way = (normal - last * back) * (1 / along);
             way *= start.Depth;
-            pose = Moved(pose, way);
+            RigidPose moved = Moved(pose, way);
+            if (moved == pose) moved = Moved(pose, normal * (RoundingOf(pair.PoseA) + RoundingOf(pose)));
+            pose = moved;
             if (isBent && Along(pair, pose, (Vector3)(-way)) is { IsHit: true } met)
                 pose = Moved(pose, -way * met.Fraction);
             (last, allowed) = (normal, RoundingOf(pair.PoseA) + RoundingOf(pose));
