@@ -76,16 +76,10 @@ public static partial class ConcaveQuery
         float tolerance, in CastOptions options, List<CastHit>? all = null)
     {
         if (float.IsNaN(maxFraction)) return InvalidCast;
-        var union = new PartsCast(scratch, motion, a, b, maxFraction, tolerance);
-        UnionLift.TryLift(ref union, options, out RigidPose lifted);
-        CastHit first = First(scratch, motion, a, b, maxFraction, tolerance, options, lifted, all);
-        if (all is not null) return default;
         if (options.PassesShallow)
-        {
-            double touch = motion == PartMotion.Impact ? scratch.CastSearch.TouchRoom : 0;
-            return UnionLift.OfUnion(ref union, options, lifted, touch, first);
-        }
-
+            return MoveInUnion(scratch, motion, a, b, maxFraction, tolerance, options, all);
+        CastHit first = First(scratch, motion, a, b, maxFraction, tolerance, options, b.Pose, all);
+        if (all is not null) return default;
         CastResult found = first.Result;
         bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
         bool isSolid = scratch.A.IsSolid || scratch.B.IsSolid;

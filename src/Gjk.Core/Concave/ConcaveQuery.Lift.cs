@@ -3,6 +3,19 @@ namespace Gjk.Core;
 // Casts that pass shallow contacts, of bodies that are in the union of parts: see UnionLift.
 public static partial class ConcaveQuery
 {
+    /// <summary>A motion that passes shallow contacts.</summary>
+    private static CastHit MoveInUnion(
+        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
+        float tolerance, in CastOptions options, List<CastHit>? all)
+    {
+        var union = new PartsCast(scratch, motion, a, b, maxFraction, tolerance);
+        UnionLift.TryLift(ref union, options, out RigidPose lifted);
+        CastHit first = First(scratch, motion, a, b, maxFraction, tolerance, options, lifted, all);
+        if (all is not null) return default;
+        double touch = motion == PartMotion.Impact ? scratch.CastSearch.TouchRoom : 0;
+        return UnionLift.OfUnion(ref union, options, lifted, touch, first);
+    }
+
     /// <summary>A's parts as a union in which B moves.</summary>
     private struct PartsCast(
         ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,

@@ -80,11 +80,25 @@ internal static class GjkExtendedPrecision
             state.Plane.Set(feature, plane);
 
         state.Weights = ClosestPointWeights.OfFeature(simplex, feature);
-        bool isBeyond = plane > 0 && plane * plane > maxDistance * maxDistance * feature.NormalSquared;
-        bool isClosed = Proofs.IsClosed(gap, feature, state.IsCurved, state.Noise, margins);
-        state.Verdict = isBeyond ? Verdict.Beyond : isClosed ? Verdict.Apart : Verdict.Undecided;
-        bool isStalled = !isBeyond && !isClosed && !(gap > 0);
-        if (isStalled) Proofs.SettleStall(ref state, plane, -gap);
-        return isBeyond || isClosed || isStalled || state.Iterations >= limit;
+        if (plane > 0 && plane * plane > maxDistance * maxDistance * feature.NormalSquared)
+        {
+            state.Verdict = Verdict.Beyond;
+            return true;
+        }
+
+        if (Proofs.IsClosed(gap, feature, state.IsCurved, state.Noise, margins))
+        {
+            state.Verdict = Verdict.Apart;
+            return true;
+        }
+
+        if (!(gap > 0))
+        {
+            Proofs.SettleStall(ref state, plane, -gap);
+            return true;
+        }
+
+        state.Verdict = Verdict.Undecided;
+        return state.Iterations >= limit;
     }
 }

@@ -25,9 +25,14 @@ public sealed partial class CollisionScene
         in QueryFilter filter = default, in CastOptions options = default)
     {
         CheckCast(shape, pose, translation, maxFraction);
-        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options, out UnionCast union);
+        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
         hit = First(moving);
-        if (options.PassesShallow) hit = UnionLift.OfUnion(ref union, options, moving.Lifted, 0, hit);
+        if (options.PassesShallow)
+        {
+            var union = new UnionCast(this, moving);
+            hit = UnionLift.OfUnion(ref union, options, moving.Lifted, 0, hit);
+        }
+
         return hit.Id >= 0;
     }
 
@@ -59,7 +64,7 @@ public sealed partial class CollisionScene
     {
         CheckCast(shape, pose, translation, maxFraction);
         Guard.NotNull(results, nameof(results)).Clear();
-        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options, out _);
+        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
         var all = new AllCastHits(_objects, moving, results, eachPart);
         _phase.Sweep(moving.Path(), ref all);
         InPlaceSort.Sort(results);
@@ -67,10 +72,11 @@ public sealed partial class CollisionScene
 
     private MovingShape Moving(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
-        in CastOptions options, out UnionCast union)
+        in CastOptions options)
     {
         var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options, pose);
-        union = new UnionCast(this, moving);
+        if (!options.PassesShallow) return moving;
+        var union = new UnionCast(this, moving);
         return UnionLift.TryLift(ref union, options, out RigidPose lifted) ? moving.LiftedTo(lifted) : moving;
     }
 

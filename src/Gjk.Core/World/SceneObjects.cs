@@ -21,7 +21,11 @@ internal sealed class SceneObjects
     public long[] MovedAfter = [];
 
     /// <summary>How many calls had been made when the object got the shape that it has.</summary>
-    public long[] ShapedAfter = [];
+    private long[] _shapedAfter = [];
+
+    /// <summary>How many calls had been made when any object last got its shape, so that no pair need be looked at
+    /// where all have kept theirs.</summary>
+    private long _anyShapedAfter = -1;
 
     /// <summary>Whether all settings are the default ones, so that no pair need be looked at for them.</summary>
     public bool AreAllTested = true;
@@ -74,7 +78,7 @@ internal sealed class SceneObjects
         Shapes[slot] = shape;
         Poses[slot] = pose;
         Bounds[slot] = bounds;
-        MovedAfter[slot] = ShapedAfter[slot] = call;
+        MovedAfter[slot] = _shapedAfter[slot] = _anyShapedAfter = call;
         SetSettings(slot, settings);
         Ids[slot] = _nextId++;
         Alive[slot] = true;
@@ -89,7 +93,7 @@ internal sealed class SceneObjects
         else Parts.Set(slot, shape);
         Shapes[slot] = AnyShape.ConvexOf(shape);
         Bounds[slot] = bounds;
-        MovedAfter[slot] = ShapedAfter[slot] = call;
+        MovedAfter[slot] = _shapedAfter[slot] = _anyShapedAfter = call;
     }
 
     /// <summary>Puts a shape that is none of the scene's beside the objects while a question is asked about it: a
@@ -156,7 +160,8 @@ internal sealed class SceneObjects
     public bool Rest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
 
     /// <summary>Whether both objects of a pair have had their shapes since before a call.</summary>
-    public bool KeepShapes(ObjectPair pair, long call) => ShapedAfter[pair.A] < call && ShapedAfter[pair.B] < call;
+    public bool KeepShapes(ObjectPair pair, long call) =>
+        _anyShapedAfter < call || (_shapedAfter[pair.A] < call && _shapedAfter[pair.B] < call);
 
     /// <summary>Gives the i-th pair the answer that it had in the last frame, if neither object has moved
     /// since.</summary>
@@ -209,7 +214,7 @@ internal sealed class SceneObjects
             Bounds[kept] = Bounds[slot];
             Settings[kept] = Settings[slot];
             MovedAfter[kept] = MovedAfter[slot];
-            ShapedAfter[kept] = ShapedAfter[slot];
+            _shapedAfter[kept] = _shapedAfter[slot];
             Ids[kept] = Ids[slot];
             Alive[kept++] = true;
         }
@@ -230,7 +235,7 @@ internal sealed class SceneObjects
         Array.Resize(ref Bounds, capacity);
         Array.Resize(ref Settings, capacity);
         Array.Resize(ref MovedAfter, capacity);
-        Array.Resize(ref ShapedAfter, capacity);
+        Array.Resize(ref _shapedAfter, capacity);
         Array.Resize(ref Alive, capacity);
 
         // Last: its length says that there is room in all of them.
