@@ -60,9 +60,7 @@ internal static class CommandLine
 
         if (StrayOption(parsed) is { } stray) throw new RefusedException(where + stray);
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction)
-        {
-            throw new RefusedException(where + string.Join(" ", parsed.Errors.Select(e => e.Message)));
-        }
+            throw new RefusedException(where + string.Join(" ", Faults(parsed)));
 
         return parsed.Invoke(new InvocationConfiguration
         {
@@ -80,6 +78,29 @@ internal static class CommandLine
         bool isDefault = args.Length == 0 || (args[0].StartsWith('-') && !isOwn);
         return isDefault ? [Default, .. args] : args;
     }
+
+    /// <summary>What is wrong, a sentence each. All that is missing is told at once, so that nobody hears of it piece by
+    /// piece.</summary>
+    private static IEnumerable<string> Faults(ParseResult parsed)
+    {
+        Command command = parsed.CommandResult.Command;
+        IEnumerable<Symbol> arguments = command.Arguments
+            .Where(a => a.Arity.MinimumNumberOfValues > 0 && parsed.GetResult(a) is not { Tokens.Count: > 0 });
+        IEnumerable<Symbol> options = command.Options
+            .Where(o => o.Required && parsed.GetResult(o)?.IdentifierToken is null);
+        string[] missing = [.. arguments.Concat(options).Select(s => s.Name)];
+        IEnumerable<string> faults = parsed.Errors
+            .Where(e => e.SymbolResult is not (ArgumentResult { Tokens.Count: 0, Parent: CommandResult }
+                or OptionResult { IdentifierToken: null }))
+            .Select(e => e.SymbolResult is OptionResult { Tokens.Count: 0 } option
+                ? $"{option.Option.Name}: its value is missing."
+                : e.Message);
+        return missing.Length == 0 ? faults : faults.Append(Missing(missing));
+    }
+
+    private static string Missing(string[] names) => names.Length == 1
+        ? $"{names[0]} is needed."
+        : $"{string.Join(", ", names[..^1])} and {names[^1]} are needed.";
 
     /// <summary>Finds an argument that looks like an option, but not like a number, and was parsed as a file or as an
     /// option's value. After "--" everything is a file.</summary>
