@@ -79,8 +79,8 @@ internal static class CommandLine
         return isDefault ? [Default, .. args] : args;
     }
 
-    /// <summary>What is wrong, a sentence each. All that is missing is told at once, so that nobody hears of it piece by
-    /// piece.</summary>
+    /// <summary>What is wrong, a sentence each. All that is missing is told at once, so that nobody hears of it piece
+    /// by piece.</summary>
     private static IEnumerable<string> Faults(ParseResult parsed)
     {
         Command command = parsed.CommandResult.Command;

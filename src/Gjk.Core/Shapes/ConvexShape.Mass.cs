@@ -9,7 +9,7 @@ public readonly partial struct ConvexShape
     /// time in proportion to its triangles; keep the result.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The density is negative, NaN or infinite.</exception>
     /// <exception cref="InvalidOperationException">This is a half-space, a shape of the caller's own, a <c>default</c>
-    /// struct, or rounded: a cylinder, cone or ellipsoid, a mesh, capsule or tapered capsule that was scaled unevenly
+    /// struct, or rounded: an ellipsoid, a mesh, cylinder, cone or capsule of either kind that was scaled unevenly
     /// before, or anything that was placed and scaled before. There is no closed form here.</exception>
     public MassProperties GetMassProperties(float density = 1)
     {
@@ -58,10 +58,9 @@ public readonly partial struct ConvexShape
             ShapeKind.HalfSpace => throw NoMass("A half-space"),
             ShapeKind.Triangle => rounding > 0 ? TriangleMass(a, _parts.B, _parts.C, rounding) : default,
             ShapeKind.Mesh => HullMass(_parts.Hull!, rounding),
-            _ when rounding > 0 => throw NoMass($"A rounded {_parts.Kind}"),
-            ShapeKind.Cylinder => MassForms.Cylinder(a.X, a.Y),
-            ShapeKind.Cone => MassForms.Cone(a.X, a.Y),
-            _ => MassForms.Ellipsoid(a),
+            ShapeKind.Cylinder => MassForms.Cylinder(a.X, a.Y, rounding),
+            ShapeKind.Cone => MassForms.Cone(a.X, a.Y, rounding),
+            _ => rounding > 0 ? throw NoMass("A rounded ellipsoid") : MassForms.Ellipsoid(a),
         };
     }
 

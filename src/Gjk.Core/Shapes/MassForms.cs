@@ -15,18 +15,23 @@ internal static class MassForms
     public static MassProperties Ellipsoid(in Double3 radii) =>
         Even(4 * Math.PI / 3 * radii.X * radii.Y * radii.Z, default, Double3.Multiply(radii, radii) * 0.2);
 
-    public static MassProperties Cylinder(double radius, double halfHeight)
+    /// <summary>A cylinder widened by a radius: a wider cylinder, and two rims.</summary>
+    public static MassProperties Cylinder(double radius, double halfHeight, double rounding)
     {
-        double across = radius * radius / 4, along = halfHeight * halfHeight / 3;
-        return Even(2 * Math.PI * radius * radius * halfHeight, default, new Double3(across, along, across));
+        MassProperties rim = Rim(radius, rounding, 0);
+        return Moved(Frustum(radius + rounding, radius + rounding, 2 * halfHeight), -halfHeight, 1)
+            + Moved(rim, halfHeight, 1) + Moved(rim, -halfHeight, -1);
     }
 
-    public static MassProperties Cone(double radius, double halfHeight)
+    /// <summary>A cone widened by a radius: a frustum between the circles at which its side begins and ends, a rim
+    /// below it and a cap on top. The sine is that of the side's normal over the level.</summary>
+    public static MassProperties Cone(double radius, double halfHeight, double rounding)
     {
-        double across = 3 * radius * radius / 20, along = 3 * halfHeight * halfHeight / 20;
-        return Even(
-            2 * Math.PI / 3 * radius * radius * halfHeight, new Double3(0, -halfHeight / 2, 0),
-            new Double3(across, along, across));
+        double side = Math.Sqrt(radius * radius + 4 * halfHeight * halfHeight);
+        if (!(side > 0)) return Ball(rounding, default);
+        double sine = radius / side, wider = rounding * (2 * halfHeight / side);
+        return Moved(Frustum(radius + wider, wider, 2 * halfHeight), rounding * sine - halfHeight, 1)
+            + Moved(Rim(0, rounding, sine), halfHeight, 1) + Moved(Rim(radius, rounding, -sine), -halfHeight, -1);
     }
 
     /// <summary>A segment widened by a radius: a cylinder and two halves of a ball.</summary>
@@ -52,7 +57,7 @@ internal static class MassForms
         double sine = (bottom - top) / (2 * halfHeight), cosine = Math.Sqrt((1 - sine) * (1 + sine));
         MassProperties frustum = Frustum(bottom * cosine, top * cosine, 2 * halfHeight * cosine * cosine);
         return Moved(frustum, bottom * sine - halfHeight, 1)
-            + Moved(Cap(top, sine), halfHeight, 1) + Moved(Cap(bottom, -sine), -halfHeight, -1);
+            + Moved(Rim(0, top, sine), halfHeight, 1) + Moved(Rim(0, bottom, -sine), -halfHeight, -1);
     }
 
     /// <summary>A box widened by a radius: the box, six plates on it, twelve quarters of cylinders and eight octants of
@@ -86,14 +91,26 @@ internal static class MassForms
             whole * height * height / 30 * (a * a + 3 * a * b + 6 * b * b), whole / 20 * fourth);
     }
 
-    /// <summary>What of a ball about the origin lies above a share of its radius.</summary>
-    private static MassProperties Cap(double radius, double from)
+    /// <summary>The body inside of an arc about the y axis, from the level of its sine to its top: where the arc's
+    /// centre is on the axis, a cap of a ball.</summary>
+    /// <param name="from">How far the arc's centre is from the axis; 0, or the sine is at most 0.</param>
+    /// <param name="radius">Of the arc, whose centre is on the level of the origin.</param>
+    /// <param name="sine">Of the arc's lower end, over the level.</param>
+    private static MassProperties Rim(double from, double radius, double sine)
     {
-        double left = 1 - from, square = Math.PI * radius * radius * left * left, level = 1 + from;
+        double left = 1 - sine, level = left * (1 + sine), k = Math.Sqrt(level);
+
+        // The integrals of powers of the cosine along the arc.
+        double two = (ArcTangent.Of(k, sine) - sine * k) / 2, four = (3 * two - sine * k * level) / 4;
+        double three = left * left * (2 + sine) / 3, five = left * left * left * (8 + sine * (9 + sine * 3)) / 15;
+        double squared = left * left * (2 + sine * (4 + sine * (6 + sine * 3))) / 15;
+        double r = radius, a = from, disc = Math.PI * r;
         return OfRevolution(
-            square * radius * (2 + from) / 3, square * radius * radius * level * level / 4,
-            square * radius * radius * radius * (2 + from * (4 + from * (6 + from * 3))) / 15,
-            square * radius * radius * radius * left * (8 + from * (9 + from * 3)) / 60);
+            disc * (a * a * left + r * (2 * a * two + r * three)),
+            disc * r * level * (a * a / 2 + r * (2 * a * k / 3 + r * level / 4)),
+            disc * r * r * (a * a * left * (1 + sine * (1 + sine)) / 3 + r * (2 * a * (two - four) + r * squared)),
+            disc / 4 * (a * a * a * (a * left + 4 * r * two)
+                + r * r * (6 * a * a * three + r * (4 * a * four + r * five))));
     }
 
     /// <summary>A body about the y axis, from the integrals of 1, y, y² and x² over it.</summary>

@@ -17,6 +17,6 @@ public static class GoldenHashes
         ["batches"] = "02cb1d8ad93d25b4",
         ["scenes"] = "18993dae1dcfda94",
         ["half-spaces"] = "f78c86a599dec090",
-        ["masses"] = "ebbb1200cb8e5147",
+        ["masses"] = "9aeba980eb23503b",
     };
 }

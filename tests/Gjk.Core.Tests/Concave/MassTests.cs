@@ -137,8 +137,8 @@ public class MassTests
         (string Words, Func<MassProperties> Ask)[] refused =
         [
             ("A half-space", () => ConvexShape.HalfSpace(Vector3.UnitY, 0).GetMassProperties()),
-            ("A rounded Cone", () => cone.Rounded(1).GetMassProperties()),
-            ("A rounded Cylinder", () => ConvexShape.Cylinder(1, 1).Rounded(1).Placed(Pose).GetMassProperties()),
+            ("A rounded ellipsoid", () => ConvexShape.Ellipsoid(Vector3.One).Rounded(1).GetMassProperties()),
+            ("unevenly", () => cone.Scaled(Uneven).Rounded(1).GetMassProperties()),
             ("after it was scaled", () => mesh.Scaled(Uneven).Rounded(1).GetMassProperties()),
             ("unevenly", () => ConvexShape.Capsule(1, 1).Scaled(Uneven).Rounded(1).GetMassProperties()),
             ("after it was scaled", () => cone.Placed(Pose).Scaled(Uneven).Rounded(1).GetMassProperties()),
