@@ -19,7 +19,8 @@ public static partial class ConvexQuery
     /// the outward normal there, along which the ray leaves. Miss: the ray has no point in the shape, as <c>RayCast</c>
     /// says it, or it is still inside where it ends. What is as thin as nothing is left where it is met. A ray that
     /// slides or leaves from an origin on the surface, which <c>RayCast</c> passes, ends on the surface, at its origin
-    /// or further on, or has no end, as of a half-space.</returns>
+    /// or further on, or has no end, as of a half-space. Where it only touches, at an edge or a corner, the normal is
+    /// the ray's direction.</returns>
     /// <remarks>The line is followed backwards from beyond the shape, so entry and exit are found by one
     /// code.</remarks>
     public static RayCastResult RayExit<T>(
@@ -72,8 +73,7 @@ public static partial class ConvexQuery
         CastRay(ref shape, pose, back, out RayMeeting end);
         bool isFound = end.Status == CastStatus.Hit;
         hit.Distance = isFound ? Math.Max(far - end.Distance, entry) : entry;
-        if (isFound) hit.Normal = end.Normal;
-        else if (entry == 0) hit.Normal = line.Direction * (1 / line.Length);
+        hit.Normal = isFound ? end.Normal : line.Direction * (1 / line.Length);
         hit.Iterations = end.Iterations;
         hit.Status = end.Status == CastStatus.IterationLimit ? end.Status : CastStatus.Hit;
     }

@@ -83,7 +83,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Hulls/Building"] = 826,
         ["Hulls/Lookup"] = 873,
         ["Minkowski"] = 337,
-        ["Queries"] = 1919,
+        ["Queries"] = 1918,
         ["Queries/Rays"] = 574,
         ["Shapes"] = 1282,
         ["Simplex"] = 885,

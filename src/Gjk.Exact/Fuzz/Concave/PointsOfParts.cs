@@ -2,18 +2,25 @@ using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Concave;
 
-/// <summary>How far a point is from A's parts, and whether it is in A's inside, from the raw numbers.</summary>
-internal readonly record struct PointTruth(float Distance, bool IsInside)
+/// <summary>How far a point is from A's parts, whether it is in one of them (a distance may be too short for a float),
+/// and whether it is in A's inside, from the raw numbers.</summary>
+internal readonly record struct PointTruth(float Distance, bool IsInPart, bool IsInside)
 {
     public static PointTruth Of(ConcavePair pair, Vector3 point, FuzzRandom random)
     {
         var at = new RigidPose(point);
         float least = float.PositiveInfinity;
+        bool isInPart = false;
         foreach (ConvexShape part in pair.PartsA)
-            least = Math.Min(least, ConvexQuery.Distance(part, pair.PoseA, ConvexShape.Point(), at).Distance);
+        {
+            DistanceResult r = ConvexQuery.Distance(part, pair.PoseA, ConvexShape.Point(), at);
+            least = Math.Min(least, r.Distance);
+            isInPart |= r.IsOverlapping;
+        }
+
         bool isInside = least > 0 && pair.RawA.IsSolid
             && ExactWinding.About(pair.RawA.AllCorners(), pair.PoseA, default, at, random) is not (0 or null);
-        return new PointTruth(least, isInside);
+        return new PointTruth(least, isInPart, isInside);
     }
 }
 
@@ -75,7 +82,7 @@ internal static class PointsOfParts
         PairDistance signed = ConcaveQuery.SignedDistance(pair.A, pair.PoseA, point, pair.Scratch);
         if (signed.Status is not (GjkStatus.Separated or GjkStatus.Overlapping)) return null;
         bool isIn = ConcaveQuery.Contains(pair.A, pair.PoseA, point, pair.Scratch);
-        if (isIn != (truth.Distance == 0 || truth.IsInside))
+        if (isIn != (truth.IsInPart || truth.IsInside))
             return Say.Line($"Contains says {isIn}, but it is {truth.Distance:R} away, inside {truth.IsInside}");
         bool hasDepth = pair.RawA.IsConvex;
         if (!hasDepth && signed.Distance != (truth.IsInside ? -truth.Distance : truth.Distance))

@@ -32,10 +32,22 @@ internal static class HalfSpaceFamilies
         double far = random.OneIn(2) ? 1 : random.Magnitude(1, 1e6);
         var at = new RigidPose(Rotations.Any(random), random.OneIn(2) ? default : random.Vector(size * far));
         var pose = new RigidPose(Rotations.Any(random), random.Vector(size * far));
-        var pair = new HalfSpacePair(ConvexShape.HalfSpace((Vector3)normal, offset), at, other, pose, default);
+        ConvexShape plane = Decorated(random, ConvexShape.HalfSpace((Vector3)normal, offset), size);
+        var pair = new HalfSpacePair(plane, at, other, pose, default);
         double gap = random.OneIn(4) ? random.Range(-2, 2) : Placement.AnyGap(random);
         Double3 position = (Double3)pose.Position + pair.Outward * (gap * size - pair.Gap);
         return pair.At((Vector3)position, Motion(random, pair.Outward, size));
+    }
+
+    /// <summary>Scaled, widened or placed, or none of it. What comes out is a plane of its own, whose record has its
+    /// normal and offset in double, from which the true gap is taken.</summary>
+    private static ConvexShape Decorated(FuzzRandom random, ConvexShape plane, double size)
+    {
+        if (random.OneIn(4))
+            plane = plane.Scaled(
+                (Vector3)(new Double3(random.Range(-3, 3), random.Range(0.1, 3), random.Range(-3, -0.1)) * size));
+        if (random.OneIn(4)) plane = plane.Rounded((float)(random.Range(0, 2) * size));
+        return random.OneIn(4) ? plane.Placed(new RigidPose(Rotations.Any(random), random.Vector(size))) : plane;
     }
 
     /// <summary>Any motion, one along the plane or nearly, or one straight at it; either of the two moves, or

@@ -12,8 +12,8 @@ internal sealed class HalfSpacePair
 {
     private readonly FuzzShape _plane, _other;
     private readonly PosedShape _body;
-    private readonly Double3 _normal;
-    private readonly double _offset;
+    private readonly Double3 _normal, _rounding;
+    private readonly double _offset, _offsetRounding;
     private DistanceResult? _signed;
 
     public HalfSpacePair(
@@ -23,6 +23,9 @@ internal sealed class HalfSpacePair
         _body = new PosedShape(other, pose);
         double[] n = [.. ShapeWords.Of(plane.Shape).Numbers.Select(w => double.Parse(w, CultureInfo.InvariantCulture))];
         (_normal, _offset) = (new Double3(n[0], n[1], n[2]), n[3]);
+
+        // What was decorated has a normal and an offset of two doubles each.
+        if (n.Length > 4) (_offsetRounding, _rounding) = (n[4], new Double3(n[^3], n[^2], n[^1]));
         Outward = new ApproximateRotation(planePose.Rotation).Rotate(_normal * (1 / _normal.Length));
         Gap = IsCurved
             ? Height([_body.Center], pose) - _body.Height(-Outward)
@@ -84,19 +87,22 @@ internal sealed class HalfSpacePair
 
     /// <summary>How fast a motion leaves the half-space, to double rounding.</summary>
     public double RateOf(in Double3 motion) =>
-        Height(new RigidPose(PlanePose.Rotation, default), [motion], RigidPose.Identity, 0);
+        Height(new RigidPose(PlanePose.Rotation, default), [motion], RigidPose.Identity);
 
-    private double Height(Double3[] points, in RigidPose pose) => Height(PlanePose, points, pose, _offset);
+    private double Height(Double3[] points, in RigidPose pose) =>
+        Height(PlanePose, points, pose, _offset, _offsetRounding);
 
     /// <summary>The least height of points over a plane, in integers but for the normal's length.</summary>
-    private double Height(in RigidPose plane, Double3[] points, in RigidPose pose, double offset)
+    private double Height(in RigidPose plane, Double3[] points, in RigidPose pose, params ReadOnlySpan<double> offsets)
     {
-        var problem = new ExactProblem([default, _normal], 0, plane, points, 0, pose);
-        Int3 normal = problem.Vertex(1, 0) - problem.Vertex(0, 0);
+        var problem = new ExactProblem([default, _normal, _rounding], 0, plane, points, 0, pose);
+        Int3 zero = problem.Vertex(0, 0), normal = problem.Vertex(1, 0) - zero + (problem.Vertex(2, 0) - zero);
         BigInteger least = Enumerable.Range(0, points.Length).Min(i => Int3.Dot(normal, -problem.Vertex(0, i)));
         BigInteger square = problem.Denominator * problem.Denominator;
-        int exponent = 2 * problem.Exponent, common = Math.Min(exponent, Dyadic.Exponent(offset));
-        least = (least << (exponent - common)) - Dyadic.ToInteger(offset, common) * square;
+        int exponent = 2 * problem.Exponent, common = exponent;
+        foreach (double offset in offsets) common = Math.Min(common, Dyadic.Exponent(offset));
+        least <<= exponent - common;
+        foreach (double offset in offsets) least -= Dyadic.ToInteger(offset, common) * square;
         return Dyadic.ToDouble(least, square, common) / _normal.Length;
     }
 }

@@ -30,6 +30,8 @@ internal static class AllPromises
         new("exchanging A and B mirrors the cast", CastPromises.Mirror),
         new("a motion that both shapes share changes no cast", CastPromises.CountTheRelativeMotion),
         new("a warm start does not change a cast", CastPromises.AreColdWhenWarm),
+        new("a ray enters and leaves where the support says", RaysEnterAndLeave.Broken),
+        new("the mass is that of the shape", MassIsOfTheShape.Broken),
         new("what passes gets no deeper", WhatPassesGetsNoDeeper.Broken),
         new("a time of impact is proved up to it, and within the tolerance at it", ImpactsAreProved.Broken),
         new("the check refutes nothing, and its bounds hold the truth", TheCheckAgrees.Broken),

@@ -69,7 +69,8 @@ internal static class ImpactsAreProved
 
     /// <summary>What rounding the poses to float does to the distance.</summary>
     private static double Slack(FuzzPair pair, in RigidMotion a, in RigidMotion b, double fraction) =>
-        PoseRounding * (Far(a, fraction) + Far(b, fraction) + Arm(pair.BodyA) + Arm(pair.BodyB)) + 2e-6 * pair.Scale;
+        PoseRounding * (Far(a, fraction) + Far(b, fraction) + Arm(pair.BodyA) + Arm(pair.BodyB)) + 2e-6 * pair.Scale
+            + 2 * Accuracy.LeastFloat;
 
     private static double Far(in RigidMotion motion, double fraction) =>
         ((Double3)motion.Pose.Position).Length + fraction * ((Double3)motion.Velocity).Length;
