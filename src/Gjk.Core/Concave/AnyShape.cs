@@ -82,6 +82,9 @@ public readonly struct AnyShape
         _ => _convex.GetMassProperties(density),
     };
 
+    /// <summary>What it holds besides its parts.</summary>
+    internal SolidInside[] Insides => Kind == AnyShapeKind.Solid ? Mesh!.Insides : Compound?.Insides ?? [];
+
     /// <summary>A part as a convex shape of its own; of a convex shape the whole.</summary>
     internal ConvexShape PartAt(int part) =>
         Mesh is not null ? Mesh.GetShape(part) : Compound is not null ? Compound.Parts[part] : _convex;

@@ -15,6 +15,6 @@ public enum AnyShapeKind : byte
     /// <summary>A mesh's triangles and all points about which its winding number is not 0.</summary>
     Solid = 3,
 
-    /// <summary>The union of convex parts and triangles, each in its place.</summary>
+    /// <summary>The union of convex parts, triangles and solids, each in its place.</summary>
     Compound = 4,
 }

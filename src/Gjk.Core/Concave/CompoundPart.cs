@@ -1,6 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>A child of a compound: a convex shape, a surface or another compound, in its place. Immutable.</summary>
+/// <summary>A child of a compound: a convex shape, a surface, a solid or another compound, in its place.
+/// Immutable.</summary>
 [DebuggerDisplay("{" + nameof(Shape) + "} at {" + nameof(Pose) + "}")]
 public readonly struct CompoundPart
 {
@@ -21,10 +22,10 @@ public readonly struct CompoundPart
     }
 
     /// <summary>All parts of a shape.</summary>
-    /// <param name="shape">A convex shape that ends, a surface or a compound. No solid: its inside is in none of its
-    /// triangles, and the parts are all that a compound has.</param>
+    /// <param name="shape">A convex shape that ends, a surface, a solid or a compound. The parts of a solid are its
+    /// triangles; its inside is the compound's, too.</param>
     /// <param name="pose">Where it is in the compound's frame.</param>
-    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, a half-space or a solid.</exception>
+    /// <exception cref="ArgumentException">The shape is a <c>default</c> struct, or a half-space.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The pose is a <c>default</c> struct.</exception>
     public CompoundPart(in AnyShape shape, in RigidPose pose)
     {
@@ -32,14 +33,6 @@ public readonly struct CompoundPart
             throw new ArgumentException("A default AnyShape is no part.", nameof(shape));
         if (AnyShape.ConvexOf(shape).Kind == ShapeKind.HalfSpace)
             throw new ArgumentException("A half-space has no end, and cannot be a part.", nameof(shape));
-        if (shape.Kind == AnyShapeKind.Solid)
-        {
-            throw new ArgumentException(
-                "A solid's inside is in none of its triangles, so it cannot be a part: split it into convex parts, or "
-                    + "make it an object of its own.",
-                nameof(shape));
-        }
-
         Shape = shape;
         Pose = Guard.Pose(pose, nameof(pose));
     }

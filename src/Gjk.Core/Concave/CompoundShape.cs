@@ -1,15 +1,16 @@
 namespace Gjk.Core;
 
-/// <summary>The union of convex parts and triangles, each in its place, with a tree for queries. Build it once and
-/// share it: it is immutable, and any number of shapes and threads may use it. Parts keep the caller's
+/// <summary>The union of convex parts, triangles and solids, each in its place, with a tree for queries. Build it once
+/// and share it: it is immutable, and any number of shapes and threads may use it. Parts keep the caller's
 /// numbers.</summary>
 /// <remarks>What it is made of are its children. Those of several parts are taken apart when it is built: parts have
 /// their numbers in the order of the children, and those of one child in its own order. Poses are composed in double,
 /// and no coordinate is rounded to float on the way, however deep a part was nested. A placed part takes some 300 to
-/// 700 bytes, a triangle of a surface too: several times as much as in a <see cref="TriangleMesh"/>. It is a copy:
-/// <see cref="HeightField.SetHeights"/> does not change it.</remarks>
+/// 700 bytes, a triangle too, and one of a solid among other children some 200 more: several times as much as in a
+/// <see cref="TriangleMesh"/>. It is a copy: <see cref="HeightField.SetHeights"/> does not change it. What is inside a
+/// solid child is inside the compound.</remarks>
 [DebuggerDisplay("{" + nameof(PartCount) + "} parts")]
-public sealed class CompoundShape
+public sealed partial class CompoundShape
 {
     /// <summary>Ratio to a part's size: more than a curved support may lie inside its shape, so that a box of six
     /// supports holds it.</summary>
@@ -49,6 +50,8 @@ public sealed class CompoundShape
                 _parts[part] = children[i].Shape.PartAt(part - _firsts[i]).Placed(_poses[i]);
         Boxes = Array.ConvertAll(_parts, BoxOf);
         Tree = PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1);
+        Insides = InsidesOf(children);
+        Units = MakeUnits(null);
     }
 
     /// <summary>A compound whose children are elsewhere.</summary>
@@ -67,17 +70,22 @@ public sealed class CompoundShape
         }
 
         Tree = PartTreeRefit.Fit(Source, like.Tree);
+        Insides = Array.ConvertAll(like.Insides, inside => inside.Moved(poses[GetChild(inside.First, out _)]));
+        Units = MakeUnits(like);
     }
 
     /// <summary>A compound that is scaled.</summary>
-    private CompoundShape(CompoundShape unscaled, Vector3 scale, PartTree? like)
+    private CompoundShape(CompoundShape unscaled, Vector3 scale, CompoundShape? like)
     {
         (_firsts, _poses, _unscaled, _scale) = (unscaled._firsts, unscaled._poses, unscaled, scale);
         _parts = Array.ConvertAll(unscaled._parts, part => part.Scaled(scale));
         Boxes = Array.ConvertAll(_parts, BoxOf);
         Tree = like is null
             ? PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1)
-            : PartTreeRefit.Fit(Source, like);
+            : PartTreeRefit.Fit(Source, like.Tree);
+        Insides = Array.ConvertAll(
+            unscaled.Insides, inside => new SolidInside(inside, inside.First, RigidPose.Identity, scale));
+        Units = MakeUnits(like);
     }
 
     /// <summary>How many convex parts and triangles there are, at least one.</summary>
@@ -149,19 +157,6 @@ public sealed class CompoundShape
     /// <exception cref="ArgumentOutOfRangeException">A factor is 0, NaN or infinite.</exception>
     public CompoundShape Scaled(Vector3 scale) => new(this, Guard.Scale(scale, nameof(scale)), null);
 
-    /// <summary>Volume, mass, centre of mass and inertia: the sum of the parts, so that what lies in two of them counts
-    /// twice.</summary>
-    /// <param name="density">Mass in a unit of volume, of all parts; at least 0 and finite.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The density is negative, NaN or infinite.</exception>
-    /// <exception cref="InvalidOperationException">A part has none; see
-    /// <see cref="ConvexShape.GetMassProperties"/>.</exception>
-    public MassProperties GetMassProperties(float density = 1)
-    {
-        MassProperties all = _parts[0].GetMassProperties(density);
-        for (int i = 1; i < _parts.Length; i++) all += _parts[i].GetMassProperties(density);
-        return all;
-    }
-
     /// <summary>The parts as a tree is built of them.</summary>
     internal IPartSource Source => _source ??= new PartSource(this);
 
@@ -184,7 +179,7 @@ public sealed class CompoundShape
 
     private CompoundShape Moved(RigidPose[] poses) => _unscaled is null
         ? new CompoundShape(this, poses)
-        : new CompoundShape(_unscaled.Moved(poses), _scale, Tree);
+        : new CompoundShape(_unscaled.Moved(poses), _scale, this);
 
     private static (Double3 Min, Double3 Max) BoxOf(ConvexShape part)
     {

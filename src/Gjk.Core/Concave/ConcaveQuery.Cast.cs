@@ -18,7 +18,8 @@ public static partial class ConcaveQuery
     /// <returns>The least fraction over all pairs of parts, with the result that <c>ConvexQuery.Cast</c> has for them;
     /// at the start the pair that overlaps deepest; where several are met at once, one whose normal separates all that
     /// are met at its point; then a face goes before an edge and an edge before a corner; then the least numbers. What
-    /// begins inside a solid is OverlappingAtStart, with the way out over the solid's outside; what touches its surface
+    /// begins inside a solid is OverlappingAtStart, with the way out over the solid's outside, of several in a compound
+    /// that of the deepest; what touches its surface
     /// and moves into it is a hit at 0. Invalid input gives <see cref="CastStatus.InvalidInput"/>, and so does a
     /// scratch that is null, unless both shapes are convex.</returns>
     public static CastHit Cast(
@@ -82,8 +83,7 @@ public static partial class ConcaveQuery
         if (all is not null) return default;
         CastResult found = first.Result;
         bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
-        bool isSolid = scratch.A.IsSolid || scratch.B.IsSolid;
-        if (!isSolid) return first;
+        if (!scratch.A.HasInside && !scratch.B.HasInside) return first;
         if (!isAtStart && TryInside(scratch, a, b, found, out CastHit inside)) first = inside;
         bool isIn = first.Status == CastStatus.OverlappingAtStart;
         return isIn && SolidExit.TryFind(scratch, out CastHit way) ? way : first;
@@ -144,7 +144,7 @@ public static partial class ConcaveQuery
         }
 
         InPlaceSort.Sort(hits);
-        bool isSolid = a.Kind == AnyShapeKind.Solid || b.Kind == AnyShapeKind.Solid;
+        bool isSolid = a.Insides.Length + b.Insides.Length > 0;
         bool replaces = isSolid && first.Result.Fraction == 0 && !options.PassesShallow;
         if (!replaces && hits.Count > 0) return true;
         int kept = 0;

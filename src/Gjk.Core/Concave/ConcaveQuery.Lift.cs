@@ -69,12 +69,14 @@ public static partial class ConcaveQuery
     /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's
     /// outside: a solid that stands in a floor rises out of it, though its walls, which are all that the floor touches,
     /// look aside. A way that leads into a solid is followed by the one out of that. Of two solids the way over the
-    /// outside is the shorter one already, and what is inside without touching is behind the parts.</summary>
+    /// outside is the shorter one already, and what is inside without touching is behind the parts. Of a compound the
+    /// deepest pair of solids and others counts.</summary>
     private static CastResult ShorterWay(ConcaveScratch scratch, in CastHit start)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
         PartSide a = scratch.A, b = scratch.B;
-        if (start.Status != CastStatus.OverlappingAtStart || (a.IsSolid && b.IsSolid)) return start.Result;
+        bool isShortest = (a.HasInside && b.HasInside) || !a.IsUnit || !b.IsUnit;
+        if (start.Status != CastStatus.OverlappingAtStart || isShortest) return start.Result;
         bool isOfParts = search.PartA >= 0 && search.Cast.Status == CastStatus.OverlappingAtStart
             && search.Cast.Depth < start.Result.Depth;
         CastHit way = isOfParts ? new CastHit(search.Cast, search.PartA, search.PartB) : start;

@@ -43,7 +43,8 @@ public static partial class ConcaveQuery
     /// <param name="point">In the world: B of the result.</param>
     /// <param name="scratch">Memory for the search.</param>
     /// <returns>PointA is the nearest point of the surface, and the point is PointA + Normal · Distance, with either
-    /// sign. A surface has no inside, and a compound's has no single depth: 0 there.</returns>
+    /// sign. A surface has no inside, and a compound's has no single depth, unless it is of one
+    /// solid alone: 0 there.</returns>
     public static PairDistance SignedDistance(
         in AnyShape shape, in RigidPose pose, Vector3 point, ConcaveScratch scratch) =>
         Guard.IsFinite(point) ? SignedDistance(shape, pose, Point, new RigidPose(point), scratch) : Invalid;

@@ -16,7 +16,8 @@ public static partial class ConcaveQuery
     /// equal distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart,
     /// unless shallow contacts are passed; from on its surface into it: a hit at 0. Invalid input, or a scratch that is
     /// null, gives <see cref="CastStatus.InvalidInput"/>. From inside a hollow solid: the first triangle met; of a
-    /// hollow compound each part is hollow.</returns>
+    /// hollow compound each part is hollow. From inside several solids and parts of a compound: out of the
+    /// deepest.</returns>
     public static RayHit RayCast(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity, in CastOptions options = default, RaySides sides = RaySides.Both)
@@ -25,9 +26,22 @@ public static partial class ConcaveQuery
             return new RayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
         PartCastSearch.Run(scratch);
         RayHit found = FirstOf(scratch, maxDistance);
-        if (scratch.A.IsSolid && !options.PassesShallow && found.Status != CastStatus.OverlappingAtStart
-            && BeginsInOrOn(scratch))
+        bool isUnit = scratch.A.IsUnit, isStart = found.Status == CastStatus.OverlappingAtStart;
+        if (scratch.A.HasInside && !options.PassesShallow && !(isUnit && isStart) && BeginsInOrOn(scratch))
         {
+            if (!isUnit)
+            {
+                foreach (CompoundShape unit in shape.Compound!.Units)
+                {
+                    RayHit one = RayCast(
+                        AnyShape.Of(unit), pose, origin, direction, scratch, maxDistance, options, sides);
+                    if (one.IsHit) one = new RayHit(one.Result, unit.Numbers[one.Part]);
+                    if (one.IsHit && (!found.IsHit || one.CompareTo(found) < 0)) found = one;
+                }
+
+                return found;
+            }
+
             PairDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
             if (start.Distance < 0 && !sides.Has(RaySides.Hollow))
             {
@@ -112,7 +126,8 @@ public static partial class ConcaveQuery
 
     /// <summary>Where a ray enters and leaves a solid or a convex shape, in turn. Of one that begins inside, the first
     /// hit is the way out.</summary>
-    /// <param name="solid">A solid, or a convex shape, of which there is one way in and one way out at most.</param>
+    /// <param name="solid">A solid or a compound of solids alone, or a convex shape, of which there is one way in and
+    /// one way out at most.</param>
     /// <param name="pose">Its pose in the world.</param>
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Any finite vector but zero; its length does not matter.</param>
@@ -120,7 +135,7 @@ public static partial class ConcaveQuery
     /// <param name="hits">Cleared, then one for each crossing, by distance. Its normal looks out of the solid: against
     /// the ray where that enters, along it where that leaves.</param>
     /// <param name="maxDistance">As of the first hit; crossings further away are left out.</param>
-    /// <returns>False when the input is invalid, or the shape is a surface or a compound.</returns>
+    /// <returns>False when the input is invalid, or the shape is a surface or another compound.</returns>
     /// <remarks>A crossing is a place where the winding number changes between 0 and another: it is computed without
     /// rounding, between each two distances at which triangles are met that differ as floats. So an edge or corner is
     /// crossed once, one that the ray only touches is not crossed, and the number of crossings of a whole ray is odd if
@@ -134,7 +149,7 @@ public static partial class ConcaveQuery
     {
         if (!RayCastAll(solid, pose, origin, direction, scratch, hits)) return false;
         if (scratch.A.IsConvex) return CrossConvex(solid.Convex, pose, origin, direction, hits, maxDistance);
-        bool isSolid = scratch.A.IsSolid && !float.IsNaN(maxDistance), isIn = false;
+        bool isSolid = scratch.A.IsAllSolid && !float.IsNaN(maxDistance), isIn = false;
         int kept = 0;
         for (int i = -1, next; isSolid && i < hits.Count; i = next)
         {

@@ -80,10 +80,11 @@ public static partial class ConcaveQuery
             : DistanceResult.Beyond(Math.Min(Math.Max(maxDistance, 0), search.LowerBound), Vector3.Zero, 0);
         int partA = isFound ? a.NumberOf(search.PartA) : PartSide.NoPart;
         int partB = isFound ? b.NumberOf(search.PartB) : PartSide.NoPart;
-        if (isTouching || !(a.IsSolid || b.IsSolid) || !Containment.TryFind(scratch, out PairDistance inside))
+        if (isTouching || !(a.HasInside || b.HasInside) || !Containment.TryFind(scratch, out PairDistance inside))
             return new PairDistance(best, partA, partB);
         if (!isSigned || !(a.IsPoint || b.IsPoint)) return inside;
         PartSide outer = a.IsPoint ? b : a, point = a.IsPoint ? a : b;
+        if (outer.Solid is null) return inside;
         double most = MostDistance(outer, a.IsPoint ? search.PartB : search.PartA, point.Pose.Position, best.Distance);
         return new PairDistance(best.Inside(RoundOff.Down(-most)), partA, partB);
     }
@@ -91,7 +92,8 @@ public static partial class ConcaveQuery
     /// <summary>A bound from above of a point's distance to a triangle, of which the rounded one is known.</summary>
     private static double MostDistance(PartSide side, int part, Vector3 point, float distance)
     {
-        side.Mesh!.GetCore(part, out TriangleCore triangle);
+        ConvexShape room = default;
+        ref readonly ConvexShape triangle = ref side.Part(part, ref room);
         double reach = ((Double3)point - side.Pose.Position).Length + triangle.Center.Length + triangle.BoundingRadius;
         return distance * (1 + GjkTolerances.FloatBand) + 2 * GjkTolerances.LowerBoundError * reach;
     }

@@ -52,9 +52,9 @@ internal readonly ref struct ContactCone
     /// <summary>A triangle's normal, of a solid outward; 0 where it has none.</summary>
     public static Double3 NormalOf(PartSide side, int triangle)
     {
-        side.Mesh!.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        side.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
         if (IsFlat(a, b, c)) return default;
-        return side.IsSolid && side.Mesh.OutwardOf(triangle) < 0 ? -FaceOf(a, b, c) : FaceOf(a, b, c);
+        return side.OutwardOf(triangle) < 0 ? -FaceOf(a, b, c) : FaceOf(a, b, c);
     }
 
     /// <summary>The unit normal of a triangle with area.</summary>

@@ -9,14 +9,14 @@ internal static class Containment
     /// <param name="found">That they overlap, at a point of the piece.</param>
     public static bool TryFind(ConcaveScratch scratch, out PairDistance found)
     {
-        if (TryFind(scratch, scratch.A, scratch.B, out int part, out DistanceResult result))
+        if (TryFind(scratch, scratch.A, scratch.B, out int holder, out int part, out DistanceResult result))
         {
-            found = new PairDistance(result, PartSide.NoPart, part);
+            found = new PairDistance(result, holder, part);
             return true;
         }
 
-        bool isInB = TryFind(scratch, scratch.B, scratch.A, out part, out result);
-        found = new PairDistance(result.Swapped, part, PartSide.NoPart);
+        bool isInB = TryFind(scratch, scratch.B, scratch.A, out holder, out part, out result);
+        found = new PairDistance(result.Swapped, part, holder);
         return isInB;
     }
 
@@ -35,11 +35,11 @@ internal static class Containment
 
     /// <summary>Whether a point of the world is in a solid, as double has it.</summary>
     public static bool Holds(ConcaveScratch scratch, PartSide outer, in Double3 world) =>
-        scratch.Winding.About(outer.Mesh!, ToFrame(outer.Pose, (VectorDD)world)) != 0;
+        Holder(scratch, outer, VectorDD.ToFrame(outer.Pose, (VectorDD)world)) is not null;
 
     /// <summary>Whether a solid winds around a point of a ray, which is computed in 106 bits.</summary>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="outer">The solid.</param>
+    /// <param name="outer">With the solids.</param>
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Of any length.</param>
     /// <param name="distance">World units along the ray.</param>
@@ -48,12 +48,20 @@ internal static class Containment
     {
         Double3 along = direction;
         VectorDD point = (Double3)origin + (VectorDD)along * (DoubleDouble)(distance / along.Length);
-        return scratch.Winding.About(outer.Mesh!, ToFrame(outer.Pose, point)) != 0;
+        return Holder(scratch, outer, VectorDD.ToFrame(outer.Pose, point)) is not null;
+    }
+
+    /// <summary>The first inside that holds a point of the shape's frame, or null.</summary>
+    private static SolidInside? Holder(ConcaveScratch scratch, PartSide outer, in VectorDD local)
+    {
+        foreach (SolidInside inside in outer.Insides)
+            if (scratch.Winding.About(inside.Mesh, inside.ToMesh(local)) != 0) return inside;
+        return null;
     }
 
     private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved)
     {
-        if (!outer.IsSolid || inner.IsEndless) return false;
+        if (!outer.HasInside || inner.IsEndless) return false;
         for (int piece = 0; piece < inner.PieceCount; piece++)
             if (IsInside(scratch, outer, inner, inner.MiddleOf(piece, out _), moved)) return true;
         return false;
@@ -61,14 +69,15 @@ internal static class Containment
 
     private static bool IsAnyTouchingInside(ConcaveScratch scratch, PartSide outer, PartSide inner)
     {
-        if (!outer.IsSolid || inner.Mesh is null) return false;
+        if (!outer.HasInside || !(inner.Mesh is not null || inner.HasInside)) return false;
         SolidExit.FindTouching(scratch, outer == scratch.B);
         int last = PartSide.NoPart;
         foreach (PairDistance pair in scratch.Pairs)
         {
             if (pair.PartB == last) continue;
             last = pair.PartB;
-            if (IsInside(scratch, outer, inner, PartSide.MiddleOf(inner.Mesh, last), default)) return true;
+            bool isTriangle = inner.Mesh is not null || inner.OutwardOf(last) != 0;
+            if (isTriangle && IsInside(scratch, outer, inner, inner.MiddleOf(last), default)) return true;
         }
 
         return false;
@@ -78,34 +87,42 @@ internal static class Containment
     private static bool IsInside(
         ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 point, in Double3 moved)
     {
-        VectorDD local = ToFrame(outer.Pose, VectorDD.Place(inner.Pose, point) + (VectorDD)moved);
-        return scratch.Winding.About(outer.Mesh!, local) != 0
-            && !IsOnSurface(scratch, outer, (Vector3)(Double3)local);
+        VectorDD local = VectorDD.ToFrame(outer.Pose, VectorDD.Place(inner.Pose, point) + (VectorDD)moved);
+        for (int i = 0; i < outer.Insides.Length; i++)
+        {
+            SolidInside inside = outer.Insides[i];
+            bool isIn = scratch.Winding.About(inside.Mesh, inside.ToMesh(local)) != 0
+                && !IsOnSurface(scratch, outer.Unit(i), (Vector3)(Double3)local);
+            if (isIn) return true;
+        }
+
+        return false;
     }
 
     /// <summary>Whether a point touches a triangle, but for rounding.</summary>
-    private static bool IsOnSurface(ConcaveScratch scratch, PartSide side, Vector3 point)
+    private static bool IsOnSurface(ConcaveScratch scratch, in AnyShape unit, Vector3 point)
     {
         ConcaveScratch other = scratch.Rent();
         double room = ContactCone.Slack * ((Double3)point).SumOfMagnitudes;
-        float distance = ConcaveQuery.Distance(
-            AnyShape.Surface(side.Mesh!), RigidPose.Identity, point, other).Distance;
+        float distance = ConcaveQuery.SignedDistance(unit, RigidPose.Identity, point, other).Distance;
         scratch.Return(other);
-        return distance <= room;
+        return Math.Abs(distance) <= room;
     }
 
     private static bool TryFind(
-        ConcaveScratch scratch, PartSide outer, PartSide inner, out int part, out DistanceResult result)
+        ConcaveScratch scratch, PartSide outer, PartSide inner, out int holder, out int part,
+        out DistanceResult result)
     {
-        part = PartSide.NoPart;
+        part = holder = PartSide.NoPart;
         result = default;
-        if (!outer.IsSolid || inner.IsEndless) return false;
+        if (!outer.HasInside || inner.IsEndless) return false;
         for (int piece = 0; piece < inner.PieceCount; piece++)
         {
             Double3 point = inner.PointOf(piece, out int first);
-            VectorDD placed = VectorDD.Place(inner.Pose, point), local = ToFrame(outer.Pose, placed);
-            if (scratch.Winding.About(outer.Mesh!, local) == 0) continue;
+            VectorDD placed = VectorDD.Place(inner.Pose, point), local = VectorDD.ToFrame(outer.Pose, placed);
+            if (Holder(scratch, outer, local) is not { } inside) continue;
             part = inner.NumberOf(first);
+            if (outer.Compound is not null) holder = inside.First;
             var world = (Vector3)(Double3)placed;
             result = new DistanceResult(
                 GjkStatus.Overlapping, 0, 0, world, world, Vector3.Zero, (Vector3)(Double3)local, (Vector3)point, 0);
@@ -113,12 +130,5 @@ internal static class Containment
         }
 
         return false;
-    }
-
-    /// <summary>A point of the world in a frame, in 106 bits.</summary>
-    private static VectorDD ToFrame(in RigidPose to, in VectorDD world)
-    {
-        Quaternion q = to.Rotation;
-        return VectorDD.Rotate(new Quaternion(-q.X, -q.Y, -q.Z, q.W), world - (VectorDD)(Double3)to.Position);
     }
 }

@@ -13,7 +13,8 @@ public readonly struct PairDistance : IComparable<PairDistance>
     public readonly DistanceResult Result;
 
     /// <summary>The part of A: a triangle or part as the caller numbered it. -1 where A is convex, where it holds a
-    /// piece of B in its inside, and where nothing was found.</summary>
+    /// piece of B in its inside, and where nothing was found; of a compound the first triangle of the solid that holds
+    /// it.</summary>
     public readonly int PartA;
 
     /// <summary>The part of B, likewise.</summary>

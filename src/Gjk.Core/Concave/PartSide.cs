@@ -14,8 +14,11 @@ internal sealed class PartSide
 
     public CompoundShape? Compound;
 
-    /// <summary>Whether it has an inside that its parts do not hold.</summary>
+    /// <summary>Whether it is a solid of its own, and not one in a compound.</summary>
     public bool IsSolid;
+
+    /// <summary>What it holds besides its parts.</summary>
+    public SolidInside[] Insides = [];
 
     /// <summary>Whether a part may lie within the body that it is of.</summary>
     public bool MayHoldParts => IsSolid || Compound is not null;
@@ -45,6 +48,7 @@ internal sealed class PartSide
         Mesh = shape.Mesh;
         Compound = shape.Compound;
         IsSolid = shape.Kind == AnyShapeKind.Solid;
+        Insides = shape.Insides;
         Margin = 0;
         if (!IsConvex)
         {
@@ -86,16 +90,81 @@ internal sealed class PartSide
     /// <summary>The number of a part in results.</summary>
     public int NumberOf(int part) => IsConvex ? NoPart : part;
 
+    /// <summary>Whether it has an inside that its parts do not hold.</summary>
+    public bool HasInside => Insides.Length > 0;
+
+    /// <summary>The inside, where all parts are the triangles around it; else null.</summary>
+    public SolidInside? Solid => IsSolid || (HasInside && Compound!.Units[0] == Compound) ? Insides[0] : null;
+
+    /// <summary>Whether each part is a triangle of a solid.</summary>
+    public bool IsAllSolid => HasInside && (IsSolid || Compound!.Units.Length == Insides.Length);
+
+    /// <summary>Whether it is asked as a whole, and not as a compound whose solids are asked one by one.</summary>
+    public bool IsUnit => !HasInside || Solid is not null;
+
+    /// <summary>A unit of a compound with solids; else all of it.</summary>
+    public AnyShape Unit(int index) => Mesh is not null
+        ? AnyShape.Surface(Mesh)
+        : AnyShape.Of(IsUnit ? Compound! : Compound!.Units[index]);
+
+    /// <summary>Takes another compound at the same pose: a unit of the one, or all of it again.</summary>
+    public void Take(CompoundShape compound) =>
+        (Compound, Tree, Insides) = (compound, compound.Tree, compound.Insides);
+
+    /// <summary>1 where the corners of a solid's triangle run counter-clockwise seen from outside, else -1; 0 of what
+    /// is no triangle of a solid.</summary>
+    public int OutwardOf(int part)
+    {
+        if (!HasInside) return 0;
+        foreach (SolidInside inside in Insides)
+            if (part >= inside.First && part < inside.End) return inside.OutwardOf(part);
+        return 0;
+    }
+
+    /// <summary>The corners of a triangle.</summary>
+    public void GetCorners(int part, out Double3 a, out Double3 b, out Double3 c)
+    {
+        if (Mesh is not null) Mesh.GetCorners(part, out a, out b, out c);
+        else Compound!.GetCorners(part, out a, out b, out c);
+    }
+
+    /// <summary>The unit normal of a solid's triangle that leads out of the solid, and a corner of it, in the
+    /// world.</summary>
+    /// <returns>False where the triangle has no area, or is of no solid.</returns>
+    public bool TryGetOutward(int part, out Double3 outward, out Double3 corner)
+    {
+        outward = corner = default;
+        int sign = OutwardOf(part);
+        if (sign == 0) return false;
+        GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+        Double3 across = Double3.Cross((b - a) * (1 / Tree.Unit), (c - a) * (1 / Tree.Unit));
+        double length = across.Length;
+        var rotation = new RotationD(Pose.Rotation);
+        corner = rotation.Rotate(a) + Pose.Position;
+        if (length > 0) outward = rotation.Rotate(across * (sign / length));
+        return length > 0;
+    }
+
+    /// <summary>The mesh of which all parts are triangles.</summary>
+    private TriangleMesh? Whole => Mesh ?? Solid?.Mesh;
+
+    /// <summary>How many parts there are.</summary>
+    public int PartCount => Mesh?.TriangleCount ?? Compound?.PartCount ?? 1;
+
+    /// <summary>Whether its parts are those of one mesh, which leave together.</summary>
+    public bool IsMesh => Whole is not null;
+
     /// <summary>How many connected pieces its parts have, at most.</summary>
-    public int PieceCount => Mesh is not null ? Mesh.Components.Length : Compound?.PartCount ?? 1;
+    public int PieceCount => Whole?.Components.Length ?? Compound?.PartCount ?? 1;
 
     /// <summary>A point of a piece, as exact as the piece is given, and the part that it is of.</summary>
     public Double3 PointOf(int piece, out int part)
     {
-        part = Mesh is not null ? Mesh.Components[piece] : piece;
-        if (Mesh is not null)
+        TriangleMesh? whole = Whole;
+        part = whole is not null ? whole.Components[piece] : piece;
+        if (whole is not null)
         {
-            Mesh.GetCorners(part, out Double3 corner, out _, out _);
+            GetCorners(part, out Double3 corner, out _, out _);
             return corner;
         }
 
@@ -107,13 +176,14 @@ internal sealed class PartSide
 
     /// <summary>The middle of a triangle, or a convex part's centre, in the world; double rounds it.</summary>
     public Double3 CenterOf(int part) =>
-        CoveredSides.InWorld(Mesh is null ? Convex(part).Center : MiddleOf(Mesh, part), Pose);
+        CoveredSides.InWorld(Mesh is null ? Convex(part).Center : MiddleOf(part), Pose);
 
     /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
     public Double3 MiddleOf(int piece, out int part)
     {
-        part = Mesh is not null ? Mesh.Components[piece] : piece;
-        if (Mesh is not null) return MiddleOf(Mesh, part);
+        TriangleMesh? whole = Whole;
+        part = whole is not null ? whole.Components[piece] : piece;
+        if (whole is not null) return MiddleOf(part);
         ref readonly ConvexShape shape = ref Convex(part);
         Double3 sum = default;
         for (int i = 0; i < 6; i++)
@@ -128,9 +198,9 @@ internal sealed class PartSide
     }
 
     /// <summary>The middle of a triangle, as double has it.</summary>
-    public static Double3 MiddleOf(TriangleMesh mesh, int triangle)
+    public Double3 MiddleOf(int triangle)
     {
-        mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
+        GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
         return TriangleShape.Centroid(a, b, c);
     }
 }

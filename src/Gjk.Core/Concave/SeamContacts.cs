@@ -38,7 +38,7 @@ internal static class SeamContacts
         var own = new PairContacts(pair.PartA, pair.PartB, result, manifold);
         if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
         {
-            contacts.Add(own);
+            if (!OutwardContact.TryReplace(scratch, own, pair, normal, shapeA, shapeB, maxGap)) contacts.Add(own);
             return;
         }
 

@@ -5,7 +5,8 @@ namespace Gjk.Core;
 /// two parts, where that leads outward: the deepest of them counts, as on a surface. One whose middle is inside leaves
 /// over the face that takes least, of those that it overlaps and those that are nearest to its middle: it is lifted
 /// across the face's plane. Of several parts of the body the deepest counts. Of two solids, what is behind that face
-/// without touching it leaves, too, and the shorter way out counts.</remarks>
+/// without touching it leaves, too, and the shorter way out counts. Of compounds with solids each solid, and what is in
+/// none, is asked alone, and the deepest pair of these counts.</remarks>
 internal static class SolidExit
 {
     /// <summary>A cosine: 1e-6, some roundings of a normal; what leads along a face does not lead out of it. Four times
@@ -18,6 +19,54 @@ internal static class SolidExit
     /// <returns>False where no part is inside a solid.</returns>
     public static bool TryFind(ConcaveScratch scratch, out CastHit found)
     {
+        PartSide a = scratch.A, b = scratch.B;
+        found = default;
+        if (a.IsEndless || b.IsEndless) return false;
+        if (a.IsUnit && b.IsUnit) return TryOfUnits(scratch, out found);
+        CompoundShape? wholeA = a.IsUnit ? null : a.Compound, wholeB = b.IsUnit ? null : b.Compound;
+        bool isAny = false;
+        for (int i = 0; i < (wholeA?.Units.Length ?? 1); i++)
+        {
+            if (wholeA is not null) a.Take(wholeA.Units[i]);
+            for (int j = 0; j < (wholeB?.Units.Length ?? 1); j++)
+            {
+                if (wholeB is not null) b.Take(wholeB.Units[j]);
+                if (!TryOfUnits(scratch, out CastHit way) && !TryDeepest(scratch, out way)) continue;
+                if (isAny && !(way.Result.Depth > found.Result.Depth)) continue;
+                isAny = true;
+                found = new CastHit(
+                    way.Result, wholeA is null ? way.PartA : a.Compound!.Numbers[way.PartA],
+                    wholeB is null ? way.PartB : b.Compound!.Numbers[way.PartB]);
+            }
+        }
+
+        if (wholeA is not null) a.Take(wholeA);
+        if (wholeB is not null) b.Take(wholeB);
+        return isAny;
+    }
+
+    /// <summary>The two parts that overlap deepest.</summary>
+    private static bool TryDeepest(ConcaveScratch scratch, out CastHit found)
+    {
+        PartSide a = scratch.A, b = scratch.B;
+        List<PairDistance> pairs = scratch.Pairs;
+        PartPairSearch.Collect(scratch, 0, pairs);
+        ConvexShape roomA = default, roomB = default;
+        found = default;
+        for (int i = 0; i < pairs.Count; i++)
+        {
+            int partA = Math.Max(pairs[i].PartA, 0), partB = Math.Max(pairs[i].PartB, 0);
+            CastResult start = ConvexQuery.Cast(
+                a.Part(partA, ref roomA), a.Pose, Vector3.Zero, b.Part(partB, ref roomB), b.Pose, Vector3.Zero);
+            if (start.Status == CastStatus.OverlappingAtStart && !(found.IsHit && start.Depth <= found.Result.Depth))
+                found = new CastHit(start, a.NumberOf(partA), b.NumberOf(partB));
+        }
+
+        return found.IsHit;
+    }
+
+    private static bool TryOfUnits(ConcaveScratch scratch, out CastHit found)
+    {
         bool isFound = TryFind(scratch, scratch.A, scratch.B, out found);
         if (!TryFind(scratch, scratch.B, scratch.A, out CastHit other)) return isFound;
         other = new CastHit(other.Result.Swapped, other.PartB, other.PartA);
@@ -28,7 +77,7 @@ internal static class SolidExit
     private static bool TryFind(ConcaveScratch scratch, PartSide outer, PartSide inner, out CastHit found)
     {
         found = default;
-        if (!outer.IsSolid || inner.IsEndless) return false;
+        if (!outer.HasInside) return false;
         List<PairDistance> pairs = scratch.Pairs;
         FindTouching(scratch, outer == scratch.B);
         Exit best = default;
@@ -45,16 +94,16 @@ internal static class SolidExit
         for (int piece = 0; piece < inner.PieceCount; piece++)
         {
             Double3 middle = inner.MiddleOf(piece, out int part);
-            if ((inner.Mesh is not null && pairs.Count > 0) || IsTouching(pairs, part)) continue;
+            if ((inner.IsMesh && pairs.Count > 0) || IsTouching(pairs, part)) continue;
             Double3 world = new RotationD(inner.Pose.Rotation).Rotate(middle) + inner.Pose.Position;
             if (!Containment.Holds(scratch, outer, world)) continue;
             Exit exit = default;
-            TryNearest(scratch, outer, inner, part, world, isWhole: inner.Mesh is not null, ref exit);
+            TryNearest(scratch, outer, inner, part, world, isWhole: inner.IsMesh, ref exit);
             if (exit.Depth > best.Depth) best = exit;
         }
 
         if (!(best.Depth > 0)) return false;
-        if (inner.IsSolid && pairs.Count > 0)
+        if (inner.HasInside && pairs.Count > 0)
             best = best.Longer(Climb(outer, best.Triangle, best.Normal) + Climb(inner, best.Part, -best.Normal));
         found = new CastHit(
             new CastResult(
@@ -98,7 +147,7 @@ internal static class SolidExit
         for (int i = first; i < end; i++)
         {
             int triangle = pairs[i].PartA;
-            if (!outer.Mesh!.TryGetOutward(triangle, outer.Pose, out Double3 outward, out Double3 corner)) continue;
+            if (!outer.TryGetOutward(triangle, out Double3 outward, out Double3 corner)) continue;
             DistanceResult depth = PartQuery.SignedDistance(outer, triangle, inner, part);
             if (!isInside && -depth.Distance > deepest.Depth && Double3.Dot(depth.Normal, outward) > Outward)
                 deepest = new Exit(-depth.Distance, depth.Normal, depth.PointA, triangle, part);
@@ -119,14 +168,14 @@ internal static class SolidExit
     {
         ConcaveScratch other = scratch.Rent();
         var shared = (Vector3)point;
-        AnyShape surface = AnyShape.Surface(outer.Mesh!), alone = AnyShape.Of(ConvexShape.Point());
-        float distance = ConcaveQuery.Distance(surface, outer.Pose, shared, other).Distance;
+        AnyShape surface = outer.Unit(0), alone = AnyShape.Of(ConvexShape.Point());
+        float distance = Math.Abs(ConcaveQuery.SignedDistance(surface, outer.Pose, shared, other).Distance);
         ConcaveQuery.FindPairsWithin(
             surface, outer.Pose, alone, new RigidPose(shared), distance, other, other.Pairs);
         for (int i = 0; i < other.Pairs.Count; i++)
         {
             int triangle = other.Pairs[i].PartA;
-            if (!outer.Mesh!.TryGetOutward(triangle, outer.Pose, out Double3 outward, out Double3 corner)) continue;
+            if (!outer.TryGetOutward(triangle, out Double3 outward, out Double3 corner)) continue;
             double lift = Double3.Dot(outward, corner) + Reach(inner, part, -outward, isWhole);
             if (lift > 0 && (least.Depth == 0 || lift < least.Depth))
                 least = new Exit(lift, outward, shared, triangle, part);
@@ -141,8 +190,9 @@ internal static class SolidExit
     {
         Double3 local = new RotationD(side.Pose.Rotation).InverseRotate(along);
         bool isFace = Double3.Dot(ContactCone.NormalOf(side, triangle), local) > 1 - ContactCone.Slack;
-        return !isFace && MeshClimb.TryFind(side.Mesh!, triangle, local, out int corner)
-            ? Double3.Dot(local, side.Mesh!.GetCorner(corner)) - PlaneProof.ReachOf(side, triangle, local)
+        SolidInside solid = side.Solid!;
+        return !isFace && MeshClimb.TryFind(solid.Mesh, triangle, solid.AlongMesh(local), out int corner)
+            ? PlaneProof.ReachOf(side, corner / 3, local) - PlaneProof.ReachOf(side, triangle, local)
             : 0;
     }
 
@@ -150,7 +200,8 @@ internal static class SolidExit
     private static double Reach(PartSide side, int part, in Double3 along, bool isWhole)
     {
         Double3 local = new RotationD(side.Pose.Rotation).InverseRotate(along);
-        double reach = isWhole ? side.Mesh!.Reach(local, 1) : PlaneProof.ReachOf(side, part, local);
+        double reach = PlaneProof.ReachOf(side, part, local);
+        for (int i = 0; isWhole && i < side.PartCount; i++) reach = Math.Max(reach, PlaneProof.ReachOf(side, i, local));
         return reach + Double3.Dot(along, side.Pose.Position);
     }
 

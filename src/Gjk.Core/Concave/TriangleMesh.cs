@@ -30,6 +30,9 @@ public sealed partial class TriangleMesh
     /// <summary>Null until it is asked for.</summary>
     private IPartSource? _source;
 
+    /// <summary>What it encloses, if it is closed.</summary>
+    internal readonly SolidInside[] Insides;
+
     /// <summary>Builds a mesh.</summary>
     /// <param name="vertices">Finite points in the local frame; they need not all be used. Copied.</param>
     /// <param name="indices">Three for each triangle, at least one triangle, each at least 0 and below the number of
@@ -53,6 +56,7 @@ public sealed partial class TriangleMesh
         Tree = BuildTree(workers);
         Slab = MeshSlab.Of(this);
         _looksIn = PieceSides.LooksIn(this);
+        Insides = HasInside ? [new SolidInside(this)] : [];
     }
 
     private TriangleMesh(
@@ -65,6 +69,7 @@ public sealed partial class TriangleMesh
         Tree = like is null ? BuildTree(workers) : PartTreeRefit.Fit(Source, like);
         Slab = MeshSlab.Of(this);
         _looksIn = PieceSides.LooksIn(this);
+        Insides = HasInside ? [new SolidInside(this)] : [];
         HeightField = grid is null ? null : new HeightField(this, grid);
     }
 
@@ -197,20 +202,6 @@ public sealed partial class TriangleMesh
         a = Double3.Multiply(first, _scale);
         b = Double3.Multiply(second, _scale);
         c = Double3.Multiply(third, _scale);
-    }
-
-    /// <summary>The unit normal of a solid's triangle that leads out of the solid, and a corner of it, in the
-    /// world.</summary>
-    /// <returns>False where the triangle has no area.</returns>
-    internal bool TryGetOutward(int triangle, in RigidPose pose, out Double3 outward, out Double3 corner)
-    {
-        GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
-        Double3 across = Double3.Cross((b - a) * (1 / Tree.Unit), (c - a) * (1 / Tree.Unit));
-        double length = across.Length;
-        var rotation = new RotationD(pose.Rotation);
-        corner = rotation.Rotate(a) + pose.Position;
-        outward = length > 0 ? rotation.Rotate(across * (OutwardOf(triangle) / length)) : default;
-        return length > 0;
     }
 
     /// <summary>A vertex with the scale.</summary>

@@ -31,6 +31,13 @@ internal readonly struct VectorDD(in DoubleDouble x, in DoubleDouble y, in Doubl
     public static VectorDD Place(in RigidPose pose, in VectorDD v) =>
         (VectorDD)(Double3)pose.Position + Rotate(pose.Rotation, v);
 
+    /// <summary>A point of the world in a frame.</summary>
+    public static VectorDD ToFrame(in RigidPose to, in VectorDD world)
+    {
+        Quaternion q = to.Rotation;
+        return Rotate(new Quaternion(-q.X, -q.Y, -q.Z, q.W), world - (VectorDD)(Double3)to.Position);
+    }
+
     /// <summary>v + 2 u × (u × v + w v) / |q|², the rotation by q = (u, w) without a matrix.</summary>
     public static VectorDD Rotate(in QuaternionD q, in VectorDD v)
     {

@@ -52,8 +52,8 @@ internal sealed class PartReader
     private void ReadShape(ref StrictJsonReader json)
     {
         Shape = ShapeReader.Read(ref json);
-        if (!Shape.IsEndless && !Shape.IsSolid) return;
-        json.Path.Enter(Shape.IsSolid ? "solid" : "type");
-        throw json.Refuse($"a part of a compound cannot be a {(Shape.IsSolid ? "solid" : "half-space")}");
+        if (!Shape.IsEndless) return;
+        json.Path.Enter("type");
+        throw json.Refuse("a part of a compound cannot be a half-space");
     }
 }

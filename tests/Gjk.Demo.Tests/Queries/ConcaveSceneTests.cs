@@ -70,6 +70,27 @@ public sealed class ConcaveSceneTests
         Assert.Equal(isInside ? "-0.125" : "0.125", Query(scene, "--depth")[2].Split(',')[4]);
     }
 
+    /// <summary>Also where the solid is in a compound in a compound, scaled and moved.</summary>
+    [Fact]
+    public void ASolidInACompoundHasAnInside()
+    {
+        string[] rows = Query(
+            $$"""
+            {"version":1,"meshes":{"t":{{Tetrahedron}}},"objects":[
+              {"shape":{"type":"compound","parts":[
+                {"shape":{"type":"point"},"position":[9,0,0]},
+                {"shape":{"type":"compound","parts":[
+                  {"shape":{"type":"surface","mesh":"t","solid":true},"position":[0,0,1]}]},
+                 "position":[0,1,0]}]},"scale":2},
+              {"shape":{"type":"point"},"position":[0.4,2.4,2.4]},
+              {"shape":{"type":"point"},"position":[1.4,3.4,3.4]}],"pairs":[[0,1],[0,2]]}
+            """,
+            "--parts");
+        Assert.StartsWith("0,1,Overlapping,true,0,", rows[1]);
+        Assert.EndsWith(",1,", rows[1]);
+        Assert.StartsWith("0,2,Separated,false,", rows[2]);
+    }
+
     [Theory]
     [InlineData("""{"type":"surface","mesh":"open","solid":true}""", "$.objects[0].shape.solid", "edge from vertex")]
     [InlineData("""{"type":"surface","mesh":"cloud"}""", "$.objects[0].shape.mesh", "no triangles")]
@@ -80,7 +101,7 @@ public sealed class ConcaveSceneTests
     [InlineData("""{"type":"compound","parts":[{}]}""", "$.objects[0].shape.parts[0].shape", "missing")]
     [InlineData(
         """{"type":"compound","parts":[{"shape":{"type":"surface","mesh":"open","solid":true}}]}""",
-        "$.objects[0].shape.parts[0].shape.solid", "cannot be a solid")]
+        "$.objects[0].shape.parts[0].shape.solid", "edge from vertex")]
     [InlineData(
         """{"type":"compound","parts":[{"shape":{"type":"compound","parts":[{"shape":{"type":"halfspace"}}]}}]}""",
         "$.objects[0].shape.parts[0].shape.parts[0].shape.normal", "missing")]

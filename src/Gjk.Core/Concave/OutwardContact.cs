@@ -1,0 +1,33 @@
+namespace Gjk.Core;
+
+/// <summary>A solid in a compound pushes outward only. Where the shortest way out of one of its triangles leads inward,
+/// the way along that triangle's face may stand for it, if nothing else pushes.</summary>
+internal static class OutwardContact
+{
+    /// <summary>Takes the contact of two parts, if it pushes into a solid.</summary>
+    /// <returns>False where it pushes outward, or is of no solid's triangle.</returns>
+    public static bool TryReplace(
+        ConcaveScratch scratch, in PairContacts own, in PairDistance pair, in Double3 normal, in ConvexShape shapeA,
+        in ConvexShape shapeB, float maxGap)
+    {
+        bool isOfA = IsInward(scratch.A, own.PartA, normal, out Double3 outward);
+        if (!isOfA && !IsInward(scratch.B, own.PartB, -normal, out outward)) return false;
+        PairContacts held = own;
+
+        // What is apart from a triangle and behind it touches nothing there.
+        if (own.Result.Distance <= 0
+            && CoveredSides.TryAlong(ref held, isOfA, shapeA, scratch.A.Pose, shapeB, scratch.B.Pose, maxGap, outward))
+        {
+            scratch.FaceContacts.Add(new FaceContact(held, pair, isOfA, own.Result));
+        }
+
+        return true;
+    }
+
+    private static bool IsInward(PartSide side, int part, in Double3 normal, out Double3 outward)
+    {
+        outward = default;
+        return side.Compound is not null && side.TryGetOutward(part, out outward, out _)
+            && Double3.Dot(outward, normal) < -ContactCone.Slack;
+    }
+}
