@@ -34,7 +34,7 @@ internal static class StudyCommand
             {
                 if (file is null)
                 {
-                    Console.Out.Write(text);
+                    OutputConsole.Out.Write(text);
                     continue;
                 }
 

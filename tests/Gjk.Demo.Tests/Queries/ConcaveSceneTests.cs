@@ -118,7 +118,7 @@ public sealed class ConcaveSceneTests
               "open":{"vertices":[[0,0,0],[1,0,0],[0,1,0]],"triangles":[[0,1,2]]} },
               "objects":[{"shape":{{shape}} }]}
             """);
-        DemoProcess.Run("query", scene).AssertRefused(path, reason);
+        DemoRun.Of("query", scene).AssertRefused(path, reason);
     }
 
     [Theory]
@@ -133,7 +133,7 @@ public sealed class ConcaveSceneTests
             "s.json",
             "{\"version\":1,\"meshes\":{\"m\":{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"triangles\":"
                 + triangles + "}},\"objects\":[]}");
-        DemoProcess.Run("query", scene).AssertRefused(path);
+        DemoRun.Of("query", scene).AssertRefused(path);
     }
 
     [Fact]
@@ -145,14 +145,14 @@ public sealed class ConcaveSceneTests
             $$"""
             {"version":1,"meshes":{"t":{{Tetrahedron}}},"objects":[{{Ball}},{"shape":{"type":"surface","mesh":"t"} }]}
             """);
-        DemoProcess.Run("trace", scene, "--pair", "0,1", "--out", directory.File("s.html"))
+        DemoRun.Of("trace", scene, "--pair", "0,1", "--out", directory.File("s.html"))
             .AssertRefused("$.objects[1].shape", "convex");
     }
 
     private static string[] Query(string scene, params string[] options)
     {
         using var directory = new TempDirectory();
-        DemoRun run = DemoProcess.Run(["query", directory.Write("s.json", scene), .. options]);
+        DemoRun run = DemoRun.Of(["query", directory.Write("s.json", scene), .. options]);
         run.AssertDone();
         return run.Out.TrimEnd('\n').Split('\n');
     }

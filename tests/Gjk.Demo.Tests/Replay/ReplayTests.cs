@@ -67,7 +67,9 @@ public sealed class ReplayTests : IClassFixture<ReplayFixture>
         Assert.True(scene.GetProperty("ms_per_frame_median").GetDouble() > 0);
         Assert.True(
             scene.GetProperty("ms_per_frame_p99").GetDouble() >= scene.GetProperty("ms_per_frame_median").GetDouble());
-        Assert.InRange(scene.GetProperty("support_share").GetDouble(), 0.01, 0.99);
+
+        // A difference of two times: of two frames, on a busy machine, it may be none.
+        Assert.InRange(scene.GetProperty("support_share").GetDouble(), 0, 0.99);
     }
 
     [Theory]

@@ -39,7 +39,7 @@ public sealed class StudyDataTests : IDisposable
     {
         string data = _directory.File("data.csv");
         File.WriteAllText(data, text);
-        DemoRun run = DemoProcess.Run(
+        DemoRun run = DemoRun.Of(
             "study", "fit", data, "--out", _directory.File("o.csv"), "--page", _directory.File("o.html"));
         run.AssertRefused("data.csv", reason);
         Assert.Equal([data], _directory.Files);
@@ -49,13 +49,13 @@ public sealed class StudyDataTests : IDisposable
     public void ADistanceThatIsNotTheLibrarysAnswerIsRefused()
     {
         string data = _directory.File("data.csv"), bad = _directory.File("bad.csv");
-        DemoProcess.Run("study", "simulate", "--people", "2", "--out", data).AssertDone();
+        DemoRun.Of("study", "simulate", "--people", "2", "--out", data).AssertDone();
         string text = File.ReadAllText(data);
         string distance = text.Split('\n')[1].Split(',')[10];
         File.WriteAllText(
             bad, text.Replace(
                 "," + distance + ",", "," + MathF.BitIncrement(float.Parse(distance)).ToString("R") + ","));
-        DemoProcess.Run("study", "fit", bad).AssertRefused("line 2: column distance", "is not the library's answer");
+        DemoRun.Of("study", "fit", bad).AssertRefused("line 2: column distance", "is not the library's answer");
     }
 
     [Theory]
@@ -77,18 +77,18 @@ public sealed class StudyDataTests : IDisposable
     public void ABadPlanGetsItsPath(string good, string bad, string reason)
     {
         string plan = _directory.File("plan.json");
-        DemoRun written = DemoProcess.Run("study", "plan", "--out", plan);
+        DemoRun written = DemoRun.Of("study", "plan", "--out", plan);
         Assert.Equal((0, "", $"gjk-demo: wrote {plan}\n"), (written.ExitCode, written.Out, written.Error));
         string text = File.ReadAllText(plan);
         Assert.Contains(good, text);
         File.WriteAllText(plan, text.Replace(good, bad));
-        DemoProcess.Run("study", "plan", "--check", plan).AssertRefused("plan.json: " + reason);
+        DemoRun.Of("study", "plan", "--check", plan).AssertRefused("plan.json: " + reason);
     }
 
     [Fact]
     public void EveryFieldOfTheDefaultPlanIsExplained()
     {
-        string[] lines = DemoProcess.Run("study", "plan").Out.Split('\n');
+        string[] lines = DemoRun.Of("study", "plan").Out.Split('\n');
         string[] fields =
             [.. lines.Where(l => l.StartsWith("  \"") && !l.StartsWith("  \"//")).Select(l => l.Split('"')[1])];
         Assert.True(fields.Length >= 16);
@@ -100,11 +100,11 @@ public sealed class StudyDataTests : IDisposable
     {
         string data = _directory.File("data.csv"), page = _directory.File("o.html"), curves = _directory.File("c.svg");
         string thresholds = _directory.File("t.svg");
-        DemoProcess.Run(
+        DemoRun.Of(
             "study", "simulate", "--people", "20", "--bias", "0.01", "--difference", "0.01", "--out",
                 data).AssertDone();
         DemoRun run =
-            DemoProcess.Run("study", "fit", data, "--page", page, "--curves", curves, "--thresholds", thresholds);
+            DemoRun.Of("study", "fit", data, "--page", page, "--curves", curves, "--thresholds", thresholds);
         Assert.Equal(0, run.ExitCode);
         string[][] rows = [.. run.Out.Split('\n').Select(l => l.Split(','))];
         string[] Row(string task, string condition, string measure) =>
@@ -122,7 +122,7 @@ public sealed class StudyDataTests : IDisposable
     public void WhoFailsCatchTrialsIsLeftOutAndNamed()
     {
         string data = _directory.File("data.csv"), marked = _directory.File("marked.csv");
-        DemoProcess.Run("study", "simulate", "--people", "3", "--lapse", "0", "--out", data).AssertDone();
+        DemoRun.Of("study", "simulate", "--people", "3", "--lapse", "0", "--out", data).AssertDone();
         string[] lines = File.ReadAllLines(data);
         for (int i = 0; i < lines.Length; i++)
         {
@@ -133,7 +133,7 @@ public sealed class StudyDataTests : IDisposable
         }
 
         File.WriteAllLines(marked, lines);
-        DemoRun run = DemoProcess.Run("study", "fit", marked);
+        DemoRun run = DemoRun.Of("study", "fit", marked);
         Assert.Contains("Excluded for failing more than 25 % of the catch trials: simulated-2.", run.Error);
         Assert.Contains("catch,,simulated-2,errors,1,,,6,,excluded", run.Out);
         Assert.DoesNotContain("constant,box-box,simulated-2", run.Out);

@@ -30,7 +30,7 @@ public sealed class ConcaveViewTests
         using var directory = new TempDirectory();
         string page = directory.File("c.html");
         string scene = directory.Write("c.json", Scene);
-        DemoProcess.Run("view", scene, "--out", page).AssertDone();
+        DemoRun.Of("view", scene, "--out", page).AssertDone();
         var text = new PageText(page);
         JsonElement[] shapes = [.. text.Data.GetProperty("shapes").EnumerateArray()];
 
@@ -63,8 +63,8 @@ public sealed class ConcaveViewTests
         using var directory = new TempDirectory();
         string page = directory.File("c.html");
         string scene = directory.Write("c.json", Scene);
-        DemoProcess.Run("view", scene, "--out", page).AssertDone();
-        DemoRun query = DemoProcess.Run("query", scene, "--depth", "--parts");
+        DemoRun.Of("view", scene, "--out", page).AssertDone();
+        DemoRun query = DemoRun.Of("query", scene, "--depth", "--parts");
         query.AssertDone();
         var text = new PageText(page);
         int[] partA = text.Column<int>("partA"), partB = text.Column<int>("partB");
@@ -79,7 +79,7 @@ public sealed class ConcaveViewTests
     {
         using var directory = new TempDirectory();
         string page = directory.File("c.html");
-        DemoProcess.Run("view", "--builtin", "cubes", "--out", page).AssertDone();
+        DemoRun.Of("view", "--builtin", "cubes", "--out", page).AssertDone();
         Assert.False(new PageText(page).Data.TryGetProperty("partA", out _));
     }
 
@@ -88,7 +88,7 @@ public sealed class ConcaveViewTests
     {
         using var directory = new TempDirectory();
         string scene = directory.Write("c.json", Scene), page = directory.File("c.html");
-        DemoProcess.Run("view", scene, "--out", page, "--live")
+        DemoRun.Of("view", scene, "--out", page, "--live")
             .AssertRefused("$.objects[0].shape", "--live", "not a surface");
         Assert.False(File.Exists(page));
     }
@@ -125,7 +125,7 @@ public sealed class ConcaveViewTests
             {"version":1,"meshes":{"m":{"vertices":[[0,0,0],[1,0,0],[0,1,0]],"triangles":[{{triangles}}]} },
             "objects":[{"shape":{"type":"surface","mesh":"m"} }]}
             """);
-        DemoProcess.Run("view", scene, "--svg", directory.File("c.svg"))
+        DemoRun.Of("view", scene, "--svg", directory.File("c.svg"))
             .AssertRefused("c.json", "--svg", "20001 triangles", "20000");
         Assert.False(File.Exists(directory.File("c.svg")));
     }
@@ -144,7 +144,7 @@ public sealed class ConcaveViewTests
     {
         using var directory = new TempDirectory();
         string picture = directory.File("c.svg");
-        DemoProcess.Run("view", directory.Write("c.json", scene), "--svg", picture).AssertDone();
+        DemoRun.Of("view", directory.Write("c.json", scene), "--svg", picture).AssertDone();
         return File.ReadAllText(picture);
     }
 
