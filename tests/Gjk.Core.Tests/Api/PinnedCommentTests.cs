@@ -18,7 +18,7 @@ public partial class PinnedCommentTests
         Dictionary<string, Type> classes = TestClasses();
         var faults = new List<string>();
         int found = 0;
-        foreach (string file in ProjectFolder.Sources("src/Gjk.Core", "src/Gjk.Exact"))
+        foreach (string file in ProjectFolder.Sources("src/Gjk.Core", "tests/Gjk.Exact"))
         {
             foreach (Match pin in Pin().Matches(Comments(File.ReadAllText(file))))
             {

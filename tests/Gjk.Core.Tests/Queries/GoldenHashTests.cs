@@ -7,7 +7,7 @@ namespace Gjk.Core.Tests.Queries;
 /// parallel. The runners of tests/Gjk.Mono and tests/Gjk.Arm64 hold other runtimes to the same hashes.</summary>
 public class GoldenHashTests
 {
-    private const string Table = "src/Gjk.Exact/Answers/GoldenHashes.cs", Update = "GJK_UPDATE_GOLDEN";
+    private const string Table = "tests/Gjk.Exact/Answers/GoldenHashes.cs", Update = "GJK_UPDATE_GOLDEN";
 
     private static readonly GoldenRun Run = HashProgram.Read();
 
