@@ -1,5 +1,4 @@
 using Gjk.Core.Tests.Support;
-using Gjk.Core.Tests.World;
 
 namespace Gjk.Core.Tests.Queries;
 
@@ -46,8 +45,8 @@ internal static class StackProgram
         using var workers = new Workers(2);
         foreach (BroadPhaseKind kind in Enum.GetValues<BroadPhaseKind>())
         {
-            yield return ($"scene {kind}", WorldAllocationTests.Frame(kind, null, Objects));
-            yield return ($"scene {kind}, two threads", WorldAllocationTests.Frame(kind, workers, Objects));
+            yield return ($"scene {kind}", EveryFrame.Of(kind, null, Objects));
+            yield return ($"scene {kind}, two threads", EveryFrame.Of(kind, workers, Objects));
         }
     }
 

@@ -66,11 +66,11 @@ public class MassFormTests
         {
             ExactMass cut = ExactOf(new ConvexHull(cloud));
             MassProperties found = shape.GetMassProperties();
-            double size = found.InertiaDiagonal.Length;
-            Assert.InRange(cut.Volume / found.Volume, 0.997, 1 + 1e-6);
-            Assert.True((cut.Center - found.Center).Length < 2e-3, $"{cut.Center} {found.Center}");
-            Assert.True((cut.Diagonal - found.InertiaDiagonal).Length < 5e-3 * size, $"{found.InertiaDiagonal}");
-            Assert.True((cut.Products - found.InertiaProducts).Length < 2e-3 * size, $"{found.InertiaProducts}");
+            double size = found.InertiaDiagonal.Length, cutOff = 24.0 / corners.Length;
+            Assert.InRange(cut.Volume / found.Volume, 1 - cutOff, 1 + 1e-6);
+            Assert.True((cut.Center - found.Center).Length < cutOff, $"{cut.Center} {found.Center}");
+            Assert.True((cut.Diagonal - found.InertiaDiagonal).Length < 2 * cutOff * size, $"{found.InertiaDiagonal}");
+            Assert.True((cut.Products - found.InertiaProducts).Length < cutOff * size, $"{found.InertiaProducts}");
         }
     }
 
@@ -235,11 +235,11 @@ public class MassFormTests
     /// angle).</summary>
     private static Vector3[] Corners(ConvexShape shape)
     {
-        const int Count = 8000;
-        var points = new Vector3[Count];
-        for (int i = 0; i < Count; i++)
+        int count = Budget.IsLong ? 8000 : 1000;
+        var points = new Vector3[count];
+        for (int i = 0; i < count; i++)
         {
-            double y = 1 - (2 * i + 1.0) / Count, radius = Math.Sqrt(1 - y * y), angle = i * 2.399963229728653;
+            double y = 1 - (2 * i + 1.0) / count, radius = Math.Sqrt(1 - y * y), angle = i * 2.399963229728653;
             var direction = new Double3(radius * Math.Cos(angle), y, radius * Math.Sin(angle));
             shape.Support(direction, out Double3 point);
             points[i] = (Vector3)(shape.Center + point + direction * shape.Margin);

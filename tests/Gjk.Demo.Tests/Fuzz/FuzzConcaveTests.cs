@@ -43,7 +43,7 @@ public sealed class FuzzConcaveTests
     [Fact]
     public void ALostTriangleIsNoticed()
     {
-        int lost = 0, seen = 0, count = Budget.Whole(30);
+        int lost = 0, seen = 0, count = Budget.Whole(15);
         for (long i = 0; lost < count; i++)
         {
             ConcavePair pair = ConcaveFamilies.Draw(5, i, out _);
