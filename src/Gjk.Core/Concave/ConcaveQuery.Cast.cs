@@ -178,15 +178,22 @@ public static partial class ConcaveQuery
         Double3 moved = ((Double3)b.Velocity - a.Velocity) * middle;
         bool isInside = Containment.IsAnyInside(scratch, moved);
         bool wasInside = (isInside && Containment.IsAnyInside(scratch, default))
-            || Containment.IsAnyTouchingInside(scratch);
+            || Containment.IsAnyTouchingInside(scratch, default, out PairDistance met, out Double3 outward);
+        if (!wasInside && moved != default && Containment.IsAnyTouchingInside(scratch, moved, out met, out outward))
+            isInside = true;
+        else
+            (met, outward) = (new PairDistance(default, touch.PartA, touch.PartB), default);
         if (!isInside && !wasInside) return false;
         CastStatus status = wasInside ? CastStatus.OverlappingAtStart : CastStatus.Hit;
+        var way = (Vector3)((Double3)b.Velocity - a.Velocity);
         Vector3 normal = wasInside ? Vector3.Zero : Facing(
-            PartQuery.SignedDistance(scratch.A, touch.PartA, scratch.B, touch.PartB).Normal,
-            (Vector3)((Double3)b.Velocity - a.Velocity));
+            outward != default
+                ? (Vector3)outward
+                : PartQuery.SignedDistance(scratch.A, met.PartA, scratch.B, met.PartB).Normal,
+            way);
         inside = new CastHit(
-            new CastResult(status, 0, touch.Best.PointA, normal, 0), scratch.A.NumberOf(touch.PartA),
-            scratch.B.NumberOf(touch.PartB));
+            new CastResult(status, 0, touch.Best.PointA, normal, 0), scratch.A.NumberOf(met.PartA),
+            scratch.B.NumberOf(met.PartB));
         return true;
     }
 }

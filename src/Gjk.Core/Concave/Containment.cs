@@ -4,6 +4,10 @@ namespace Gjk.Core;
 /// inside or outside as a whole, and one point of it tells.</summary>
 internal static class Containment
 {
+    /// <summary>Ratio to a triangle's size: 2^-10; so far behind it a point tells which side of another surface its
+    /// solid is on. More than rounding, and less than what a solid is thick. Pinned by FlushSolidTests.</summary>
+    private const double Behind = 1.0 / (1 << 10);
+
     /// <summary>Finds the first piece of either that lies in the other's inside.</summary>
     /// <param name="scratch">With both sides set, whose parts share no point.</param>
     /// <param name="found">That they overlap, at a point of the piece.</param>
@@ -27,11 +31,21 @@ internal static class Containment
     public static bool IsAnyInside(ConcaveScratch scratch, in Double3 moved) =>
         IsAnyInside(scratch, scratch.A, scratch.B, moved) || IsAnyInside(scratch, scratch.B, scratch.A, -moved);
 
-    /// <summary>Whether the middle of a triangle that touches the other's surface is in its inside: a piece with edges
-    /// in a surface may be on both sides of it.</summary>
+    /// <summary>Whether the middle of a triangle that touches the other's surface is in its inside, after B has moved:
+    /// a piece with edges in a surface may be on both sides of it. Where nothing has moved, faces of two solids may lie
+    /// in each other, so what is just behind the middle counts, too.</summary>
     /// <param name="scratch">With both sides set, whose parts may touch.</param>
-    public static bool IsAnyTouchingInside(ConcaveScratch scratch) =>
-        IsAnyTouchingInside(scratch, scratch.A, scratch.B) || IsAnyTouchingInside(scratch, scratch.B, scratch.A);
+    /// <param name="moved">How far B has moved from its pose, in the world.</param>
+    /// <param name="pair">The triangle, and one that it touches.</param>
+    /// <param name="outward">Out of the triangle's solid, in the world; 0 where it is of none.</param>
+    public static bool IsAnyTouchingInside(
+        ConcaveScratch scratch, in Double3 moved, out PairDistance pair, out Double3 outward)
+    {
+        if (IsAnyTouchingInside(scratch, scratch.B, scratch.A, -moved, out pair, out outward)) return true;
+        bool isIn = IsAnyTouchingInside(scratch, scratch.A, scratch.B, moved, out pair, out outward);
+        pair = new PairDistance(pair.Result, pair.PartB, pair.PartA);
+        return isIn;
+    }
 
     /// <summary>Whether a point of the world is in a solid, as double has it.</summary>
     public static bool Holds(ConcaveScratch scratch, PartSide outer, in Double3 world) =>
@@ -67,8 +81,11 @@ internal static class Containment
         return false;
     }
 
-    private static bool IsAnyTouchingInside(ConcaveScratch scratch, PartSide outer, PartSide inner)
+    private static bool IsAnyTouchingInside(
+        ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved, out PairDistance found,
+        out Double3 outward)
     {
+        (found, outward) = (default, default);
         if (!outer.HasInside || !(inner.Mesh is not null || inner.HasInside)) return false;
         SolidExit.FindTouching(scratch, outer == scratch.B);
         int last = PartSide.NoPart;
@@ -76,11 +93,27 @@ internal static class Containment
         {
             if (pair.PartB == last) continue;
             last = pair.PartB;
-            bool isTriangle = inner.Mesh is not null || inner.OutwardOf(last) != 0;
-            if (isTriangle && IsInside(scratch, outer, inner, inner.MiddleOf(last), default)) return true;
+            if (inner.Mesh is null && inner.OutwardOf(last) == 0) continue;
+            bool hasOutward = inner.TryGetOutward(last, out outward, out Double3 corner);
+            Double3 middle = inner.MiddleOf(last);
+            found = new PairDistance(pair.Result, last, pair.PartA);
+            if (IsInside(scratch, outer, inner, middle, moved)) return true;
+            bool mayLie = hasOutward && moved == default;
+            if (mayLie && IsBehind(scratch, outer, inner, middle, outward, corner)) return true;
         }
 
         return false;
+    }
+
+    /// <summary>Whether what is behind the middle of a solid's triangle is in both.</summary>
+    private static bool IsBehind(
+        ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 middle, in Double3 outward,
+        in Double3 corner)
+    {
+        VectorDD at = VectorDD.Place(inner.Pose, middle);
+        Double3 inward = outward * (-Behind * ((Double3)at - corner).Length);
+        return Holder(scratch, inner, VectorDD.ToFrame(inner.Pose, at + (VectorDD)inward)) is not null
+            && IsInside(scratch, outer, inner, middle, inward);
     }
 
     /// <summary>Whether a point of the inner's frame is in the outer, and not on its surface.</summary>

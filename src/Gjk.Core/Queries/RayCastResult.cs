@@ -8,8 +8,8 @@ public readonly struct RayCastResult
 
     /// <summary>Whether the ray meets a back face: it leaves a convex shape there or crosses out of a solid, or it
     /// meets a triangle of a mesh from the side from which its corners run clockwise. Of a solid mesh the back is
-    /// inside. A scale that mirrors a mesh keeps its front. Triangles that are shapes of their own, or parts of a
-    /// compound, have two fronts for a ray that comes in.</summary>
+    /// inside. A scale that mirrors a mesh keeps its front. Triangles that are shapes of their own, or of a
+    /// surface in a compound, have two fronts for a ray that comes in.</summary>
     public readonly bool IsBackFace;
 
     /// <summary>World units along the ray from its origin, rounded to float; 0 where it begins in the shape, the
