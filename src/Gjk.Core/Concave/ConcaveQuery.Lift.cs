@@ -3,6 +3,10 @@ namespace Gjk.Core;
 // Casts that pass shallow contacts, of bodies that are in the union of parts: see UnionLift.
 public static partial class ConcaveQuery
 {
+    /// <summary>Ratio to the smaller body's radius: 2^-8; so much deeper than is allowed a body is in another for
+    /// certain, and not through it yet. Pinned by FlushSolidTests.</summary>
+    private const double JustInside = 1.0 / (1 << 8);
+
     /// <summary>A motion that passes shallow contacts.</summary>
     private static CastHit MoveInUnion(
         ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
@@ -13,7 +17,31 @@ public static partial class ConcaveQuery
         CastHit first = First(scratch, motion, a, b, maxFraction, tolerance, options, lifted, all);
         if (all is not null) return default;
         double touch = motion == PartMotion.Impact ? scratch.CastSearch.TouchRoom : 0;
-        return UnionLift.OfUnion(ref union, options, lifted, touch, first);
+        CastHit found = UnionLift.OfUnion(ref union, options, lifted, touch, first);
+        PartSide sideA = scratch.A, sideB = scratch.B;
+        bool mayEnter = (sideA.HasInside || sideB.HasInside) && sideA.PartCount > 1 && sideB.PartCount > 1;
+        return mayEnter && Enters(scratch, ref union, a, b, options, found, out CastHit met) ? met : found;
+    }
+
+    /// <summary>A face that meets one of a solid flush passes it, triangle by triangle, and gets no deeper in any: what
+    /// tells is the inside that it is in thereafter.</summary>
+    private static bool Enters(
+        ConcaveScratch scratch, ref PartsCast union, in RigidMotion a, in RigidMotion b, in CastOptions options,
+        in CastHit found, out CastHit met)
+    {
+        met = union.After(0, b.Pose, default);
+        float at = met.Result.Fraction, left = found.Result.Fraction - at;
+        double rate = Math.Abs(Double3.Dot(met.Result.Normal, (Double3)a.Velocity - b.Velocity));
+        bool mayBe = met.Status == CastStatus.Hit && (found.IsHit || found.Status == CastStatus.Miss);
+        if (!mayBe || !(rate * left > options.AllowedDepth)) return false;
+        double look = Math.Min(scratch.A.Tree.Radius, scratch.B.Tree.Radius) * JustInside + options.AllowedDepth;
+        left = (float)Math.Min(left, 2 * look / rate);
+        RigidMotion fromA = new(PartAdvancement.PoseAt(a, at), a.Velocity, a.AngularVelocity);
+        RigidMotion fromB = new(PartAdvancement.PoseAt(b, at), b.Velocity, b.AngularVelocity);
+        (scratch.A.Pose, scratch.B.Pose) = (fromA.Pose, fromB.Pose);
+        bool enters = TryInside(scratch, fromA, fromB, CastResult.Nothing(CastStatus.Miss, left, 0), out _);
+        (scratch.A.Pose, scratch.B.Pose) = (a.Pose, b.Pose);
+        return enters;
     }
 
     /// <summary>A's parts as a union in which B moves.</summary>

@@ -34,6 +34,31 @@ public class FlushSolidTests
         }
     }
 
+    /// <summary>What passes shallow contacts meets a face that is flush with its own, too: no triangle gets deeper in
+    /// another, but the solids do.</summary>
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void WhatComesFromAfarDoesNotPass(string kind)
+    {
+        AnyShape crate = Crate(kind);
+        var scratch = new ConcaveScratch();
+        foreach (Vector3 side in Ways)
+        {
+            foreach ((float from, float length, float allowed, float met) in new[]
+                {
+                    (2.5f, 1f, 0f, 0.5f), (3, 2, 0, 0.5f), (2.5f, 8, 0.25f, 0.0625f), (2, 1, 0, 0), (2.5f, 0.25f, 0, -1),
+                    (2.5f, 1, 0.75f, -1), (2, -1, 0, -1),
+                })
+            {
+                CastHit hit = ConcaveQuery.Cast(
+                    crate, RigidPose.Identity, default, crate, new RigidPose(from * side), -length * side, scratch, 1,
+                    CastOptions.OnlyDeeper(allowed));
+                Assert.Equal(met < 0 ? (CastStatus.Miss, 1) : (CastStatus.Hit, met), (hit.Status, hit.Result.Fraction));
+                if (met >= 0) Assert.InRange(Vector3.Distance(side, hit.Result.Normal), 0, 1e-6f);
+            }
+        }
+    }
+
     [Theory]
     [MemberData(nameof(Kinds))]
     public void WhatLiesInItselfOverlaps(string kind)
