@@ -46,8 +46,8 @@ public class FlushSolidTests
         {
             foreach ((float from, float length, float allowed, float met) in new[]
                 {
-                    (2.5f, 1f, 0f, 0.5f), (3, 2, 0, 0.5f), (2.5f, 8, 0.25f, 0.0625f), (2, 1, 0, 0), (2.5f, 0.25f, 0, -1),
-                    (2.5f, 1, 0.75f, -1), (2, -1, 0, -1),
+                    (2.5f, 1f, 0f, 0.5f), (3, 2, 0, 0.5f), (2.5f, 8, 0.25f, 0.0625f), (2, 1, 0, 0),
+                    (2.5f, 0.25f, 0, -1), (2.5f, 1, 0.75f, -1), (2, -1, 0, -1),
                 })
             {
                 CastHit hit = ConcaveQuery.Cast(

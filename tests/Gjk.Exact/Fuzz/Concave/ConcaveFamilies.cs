@@ -16,6 +16,7 @@ internal static class ConcaveFamilies
     [
         ("surfaces", 8, r => Beside(r, RawShapes.Surface(r), RawShapes.Any(r))),
         ("terrain", 4, r => Beside(r, RawShapes.Terrain(r), RawShapes.Any(r))),
+        ("heights", 4, r => Beside(r, RawShapes.Heights(r), RawShapes.Any(r))),
         ("convex by surfaces", 6, r => Beside(r, RawShapes.Convex(r), RawShapes.Surface(r))),
         ("solids", 6, r => Beside(r, RawShapes.Surface(r).AsSolid(), RawShapes.Any(r))),
         ("in solids", 4, InSolid),

@@ -15,8 +15,8 @@ internal sealed record RawShape
 
     public bool IsSolid { get; private init; }
 
-    /// <summary>Of a height field: how many columns, and the spacing of a square grid; else 0.</summary>
-    public (int Columns, float Spacing) Field { get; private init; }
+    /// <summary>The height field that the triangles are of, else null.</summary>
+    public RawField? Field { get; private init; }
 
     /// <summary>The parts of a compound, or a convex shape; else empty.</summary>
     public IReadOnlyList<RawPart> Parts { get; private init; } = [];
@@ -35,21 +35,8 @@ internal sealed record RawShape
     public static RawShape Convex(RawPart part) =>
         new() { Parts = [part with { Pose = RigidPose.Identity }], IsConvex = true };
 
-    /// <summary>A terrain of square cells, with the triangles that a height field promises.</summary>
-    public static RawShape Heights(float[] heights, int columns, float spacing)
-    {
-        var points = new Vector3[heights.Length];
-        for (int i = 0; i < points.Length; i++)
-            points[i] = new Vector3(i % columns * spacing, heights[i], i / columns * spacing);
-        var indices = new List<int>();
-        for (int i = 0; i + columns < points.Length; i++)
-        {
-            if (i % columns == columns - 1) continue;
-            indices.AddRange([i, i + columns, i + 1, i + 1, i + columns, i + columns + 1]);
-        }
-
-        return new() { Triangles = new TriangleSoup(points, [.. indices]), Field = (columns, spacing) };
-    }
+    /// <summary>With the triangles that a height field promises.</summary>
+    public static RawShape Heights(RawField field) => new() { Triangles = field.List(), Field = field };
 
     /// <summary>The same with its inside, where the library finds one.</summary>
     public RawShape AsSolid() =>
@@ -61,16 +48,16 @@ internal sealed record RawShape
     public RawShape Larger(float factor) => this with
     {
         Triangles = Triangles?.Moved(p => p * factor),
-        Field = default,
+        Field = null,
         Parts = [.. Parts.Select(p => p.Larger(factor) with { Pose = new(p.Pose.Rotation, p.Pose.Position * factor) })],
     };
 
-    public RawShape Moved(Func<Vector3, Vector3> to) => this with { Triangles = Triangles!.Moved(to), Field = default };
+    public RawShape Moved(Func<Vector3, Vector3> to) => this with { Triangles = Triangles!.Moved(to), Field = null };
 
     /// <summary>Without some parts in a row; a solid becomes a surface.</summary>
     public RawShape Without(int first, int count) => Triangles is null
         ? this with { Parts = [.. Parts.Take(first), .. Parts.Skip(first + count)] }
-        : this with { Triangles = Triangles.Without(first, count), Field = default, IsSolid = false };
+        : this with { Triangles = Triangles.Without(first, count), Field = null, IsSolid = false };
 
     /// <summary>As the library takes it.</summary>
     public AnyShape Build()
@@ -82,9 +69,7 @@ internal sealed record RawShape
             return AnyShape.Of(Scale == Vector3.One ? compound : compound.Scaled(Scale));
         }
 
-        TriangleMesh mesh = Field.Columns == 0
-            ? Triangles.Build()
-            : TriangleMesh.FromHeights([.. Triangles.Points.Select(p => p.Y)], Field.Columns, new(Field.Spacing));
+        TriangleMesh mesh = Field?.Build() ?? Triangles.Build();
         if (Scale != Vector3.One) mesh = mesh.Scaled(Scale);
         return IsSolid ? AnyShape.Solid(mesh) : AnyShape.Surface(mesh);
     }

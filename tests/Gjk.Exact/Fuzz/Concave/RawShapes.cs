@@ -9,7 +9,7 @@ internal static class RawShapes
     {
         0 => Compound(random, 2 + random.Below(20)),
         1 => Convex(random),
-        2 => Terrain(random),
+        2 => random.OneIn(2) ? Terrain(random) : Heights(random),
         _ => Decorated(random, Surface(random)),
     };
 
@@ -68,9 +68,23 @@ internal static class RawShapes
     {
         int columns = 2 + random.Below(7), rows = 2 + random.Below(7);
         float rough = random.OneIn(4) ? 0 : random.Float(0, 0.3);
-        return RawShape.Heights(
+        return RawShape.Heights(new RawField(
             [.. Enumerable.Range(0, rows * columns).Select(_ => random.Float(-rough, rough))], columns,
-            random.OneIn(2) ? 0.25f : random.Float(0.1, 0.3));
+            new Vector2(random.OneIn(2) ? 0.25f : random.Float(0.1, 0.3))));
+    }
+
+    /// <summary>The same with holes, a base and z up, each in part of them.</summary>
+    public static RawShape Heights(FuzzRandom random)
+    {
+        int columns = 2 + random.Below(5), rows = 2 + random.Below(5), oneIn = random.Of(2, 5, int.MaxValue);
+        float rough = random.OneIn(3) ? 0 : random.Float(0, 0.3);
+        bool[] isHole = [.. Enumerable.Range(0, (columns - 1) * (rows - 1)).Select(_ => random.OneIn(oneIn))];
+        isHole[random.Below(isHole.Length)] = false;
+        RawShape shape = RawShape.Heights(new RawField(
+            [.. Enumerable.Range(0, rows * columns).Select(_ => random.OneIn(3) ? 0 : random.Float(-rough, rough))],
+            columns, random.OneIn(2) ? new Vector2(0.25f) : new Vector2(random.Float(0.1, 0.3), random.Float(0.1, 0.3)),
+            isHole, random.OneIn(2), random.OneIn(3) ? null : -random.Float(0.31, 0.6)));
+        return Decorated(random, shape);
     }
 
     /// <summary>A solid where it can be one, scaled, or both, or as it is.</summary>
