@@ -57,6 +57,15 @@ public static partial class ConcaveQuery
             return true;
         }
 
+        FindOfPairs(scratch, maxGap, contacts);
+        return true;
+    }
+
+    /// <summary>The contacts of pairs that are found: of two shapes, or of a body and the static objects that it
+    /// touches, which count as one.</summary>
+    internal static void FindOfPairs(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
+    {
+        List<PairDistance> pairs = scratch.Pairs;
         scratch.FaceContacts.Clear();
         scratch.Orphans.Clear();
         scratch.Searched = 0;
@@ -65,7 +74,6 @@ public static partial class ConcaveQuery
         if (scratch.A.MayHoldParts || scratch.B.MayHoldParts) ContactPush.RemoveNeedless(scratch, contacts);
         ContactPush.AddNeeded(scratch, contacts);
         TouchLine.KeepOn(scratch, contacts);
-        return true;
     }
 
     /// <summary>A half-space pushes every part along its normal, so no seam shows.</summary>

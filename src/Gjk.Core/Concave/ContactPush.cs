@@ -184,12 +184,14 @@ internal static class ContactPush
     private static bool AreOfOneConvex(ConcaveScratch scratch, in FaceContact face, in PairContacts other) =>
         face.IsOfA
             ? scratch.B.Mesh is null && other.PartB == face.PartB
-            : scratch.A.Mesh is null && other.PartA == face.PartA;
+            : scratch.SideOf(face.Contact.Pair.A, true).Mesh is null && other.PartA == face.PartA
+                && other.Pair.A == face.Contact.Pair.A;
 
     /// <summary>Whether a push takes the parts of a pair apart, or goes half the way.</summary>
     private static bool TakesApart(ConcaveScratch scratch, in PairContacts push, in FaceContact pair)
     {
         Vector3 by = push.Manifold.Normal * LengthOf(push.Result);
+        scratch.Select(pair.Contact.Pair);
 
         // The contact is a face's that is behind what the parts, which are apart, show each other.
         if (pair.Own > Math.Max(pair.Contact.Result.Distance, 0)) return !IsBehind(scratch, pair, by);

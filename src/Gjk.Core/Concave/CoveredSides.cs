@@ -22,7 +22,7 @@ internal static class CoveredSides
     /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
     public const double Beyond = 1 / (1 - ContactCone.LeastCosine);
 
-    /// <summary>Count: planes that are asked. More cost time; with fewer a buried side may keep its contact. Pinned by
+    /// <summary>Count: planes that are kept. More cost time; with fewer a buried side may keep its contact. Pinned by
     /// SeamContactTests.</summary>
     private const int MostPlanes = 32;
 
@@ -42,19 +42,25 @@ internal static class CoveredSides
         if (planes.Count == MostPlanes) return;
         ManifoldPoint deepest = contact[DeepestPoint.Of(contact)];
         Double3 foot = FootOf(deepest, isA, pose), normal = isA ? contact.Normal : -contact.Normal;
-        double depth = Math.Max(-deepest.Gap, 0);
+        Add(planes, new OpenPlane(foot, normal, Math.Max(-deepest.Gap, 0)));
+    }
+
+    /// <summary>Adds a plane, unless one is there already that says the same.</summary>
+    public static void Add(List<OpenPlane> planes, in OpenPlane one)
+    {
+        if (planes.Count == MostPlanes) return;
         foreach (OpenPlane plane in planes)
         {
-            Double3 to = foot - plane.Foot;
+            Double3 to = one.Foot - plane.Foot;
             double least = Room * to.SumOfMagnitudes;
-            if (plane.Depth >= depth && (plane.Normal - normal).SumOfMagnitudes <= Room
-                && Math.Abs(Double3.Dot(to, normal)) <= least)
+            if (plane.Depth >= one.Depth && (plane.Normal - one.Normal).SumOfMagnitudes <= Room
+                && Math.Abs(Double3.Dot(to, one.Normal)) <= least)
             {
                 return;
             }
         }
 
-        planes.Add(new OpenPlane(foot, normal, depth));
+        planes.Add(one);
     }
 
     /// <summary>Whether a contact is at a side that is covered.</summary>
@@ -161,11 +167,15 @@ internal static class CoveredSides
         return new ManifoldPoint((Vector3)foot, (Vector3)tip, local, localTip, (float)gap, 0);
     }
 
-    /// <summary>Whether a part of a shape, but not the given one, holds a point of its frame and reaches beyond
+    /// <summary>Whether a part of a body, but not the given one, holds a point of the world and reaches beyond
     /// it.</summary>
     public static bool GoesOn(
-        ConcaveScratch scratch, in AnyShape shape, int but, in Double3 point, in Double3 direction)
+        ConcaveScratch scratch, PartSide side, int but, in Double3 inWorld, in Double3 along)
     {
+        Double3 point = side.Local(inWorld), direction = side.Turned(along);
+        if (side.Mesh is null && side.Compound is null) return GoesOn(side.Convex(0), point, direction);
+        if (JoinedGrounds.IsInside(scratch, side, inWorld, along)) return true;
+        AnyShape shape = side.Mesh is not null ? AnyShape.Surface(side.Mesh) : AnyShape.Of(side.Compound!);
         ConcaveScratch near = scratch.Rent();
         bool goesOn = false;
         ConvexShape room = default;
@@ -216,7 +226,8 @@ internal static class CoveredSides
                 || Math.Max(below.Z, above.Z) > room;
         }
 
-        side.Mesh!.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+        if (side.Mesh is null) return false;
+        side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
         var reach = new TriangleReach(a, b, c, point);
         return reach.IsBeyond(2 * Room * (reach.Size + point.SumOfMagnitudes));
     }

@@ -40,6 +40,7 @@ internal readonly struct FaceContact : IComparable<FaceContact>
     public int CompareTo(FaceContact other)
     {
         int order = Contact.Result.Distance.CompareTo(other.Contact.Result.Distance);
+        if (order == 0) order = Contact.Pair.CompareTo(other.Contact.Pair);
         if (order == 0) order = PartA.CompareTo(other.PartA);
         return order != 0 ? order : PartB.CompareTo(other.PartB);
     }

@@ -93,10 +93,10 @@ internal ref struct FaceSearch
         TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
         ContactFit tipFit = SeamContacts.Judge(other, part, -world);
         bool isShown = tipFit == ContactFit.Stays
-            && !SeamContacts.GoesOn(_scratch, other, part, tip.Placed, -world);
+            && !JoinedGrounds.GoesOn(_scratch, other, part, tip.Placed, -world);
         ContactManifold along = Along(isOfA ? world : -world, shapeA, shapeB);
         isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
-        isLed &= led.Gap <= 0;
+        isLed = isLed && led.Gap <= 0 && !JoinedGrounds.GoesOn(_scratch, other, part, led.Placed, -world);
         if (!isShown && along.Count > 0 && tipFit != ContactFit.Ghost && MayLean(mesh, other, part, shape, world))
         {
             ContactManifold level = Shown(along, other, part, shape.BoundingRadius, isOfA, -world);
@@ -154,14 +154,14 @@ internal ref struct FaceSearch
     private readonly ContactManifold Shown(
         in ContactManifold along, PartSide other, int part, double size, bool isOfA, in Double3 outward)
     {
-        if (other.Compound is null) return along;
+        if (!other.HasJoints) return along;
         ContactManifold shown = default;
         shown.Begin(along.Normal);
         for (int i = 0; i < along.Count; i++)
         {
             Double3 foot = CoveredSides.FootOf(along[i], !isOfA, other.Pose);
             Double3 beyond = FlushSides.JustBeyond(foot, outward, size);
-            if (!SeamContacts.GoesOn(_scratch, other, part, beyond, outward)) shown.Add(along[i]);
+            if (!JoinedGrounds.GoesOn(_scratch, other, part, beyond, outward)) shown.Add(along[i]);
         }
 
         return shown;
@@ -223,7 +223,7 @@ internal ref struct FaceSearch
     private readonly PairContacts Made(int partA, int partB, ContactManifold manifold)
     {
         DeepestPoint.Lead(ref manifold);
-        return new(partA, partB, DeepestPoint.Result(manifold, _own), manifold);
+        return new(partA, partB, DeepestPoint.Result(manifold, _own), manifold, _pair.Pair);
     }
 
     private readonly struct Candidate(in PairContacts contact, bool isOfA)

@@ -39,7 +39,7 @@ internal static class FlushSides
         RotationD turn = new(pose.Rotation);
         bool goesOn = cover.GoesOn(end.Foot, end.Normal)
             || CoveredSides.GoesOn(own, turn.InverseRotate(end.Foot - pose.Position), turn.InverseRotate(end.Normal));
-        if (!goesOn) ends.Add(end);
+        if (!goesOn) CoveredSides.Add(ends, end);
     }
 
     /// <summary>The contact of two parts along a plane in which one of them ends with what is flush with it: of all

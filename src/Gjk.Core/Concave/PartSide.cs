@@ -5,6 +5,7 @@ internal sealed class PartSide
 {
     private readonly PartTree _single = PartTree.Single();
     private ConvexShape _convex;
+    private Double3 _low, _high;
 
     public RigidPose Pose;
 
@@ -20,8 +21,20 @@ internal sealed class PartSide
     /// <summary>What it holds besides its parts.</summary>
     public SolidInside[] Insides = [];
 
+    /// <summary>Whether it is one of several static objects that count as one body.</summary>
+    public bool IsJoined { get; private set; }
+
+    /// <summary>Of one that is joined: the number that the caller knows it by.</summary>
+    public int Name;
+
+    /// <summary>Of one that is joined: where its pairs end among those of all.</summary>
+    public int PairsEnd;
+
+    /// <summary>Whether its body may go on in another part where one of its parts ends.</summary>
+    public bool HasJoints => Compound is not null || IsJoined;
+
     /// <summary>Whether a part may lie within the body that it is of.</summary>
-    public bool MayHoldParts => IsSolid || Compound is not null;
+    public bool MayHoldParts => IsSolid || HasJoints;
 
     /// <summary>World units: by so much the parts reach beyond their boxes.</summary>
     public double Margin;
@@ -35,10 +48,35 @@ internal sealed class PartSide
     /// <summary>Whether it is a half-space: its box holds everything, so each part of the other is asked.</summary>
     public bool IsEndless => IsConvex && _convex.Kind == ShapeKind.HalfSpace;
 
-    /// <summary>World units: how far it reaches around its middle, given a part of it.</summary>
-    public double RadiusWith(in ConvexShape part) => IsConvex ? part.BoundingRadius : Tree.Radius;
+    /// <summary>World units: how far it reaches around its middle, given a part of it. Static objects that are joined
+    /// go on where the body does not touch them.</summary>
+    public double RadiusWith(in ConvexShape part) =>
+        IsJoined ? double.PositiveInfinity : IsConvex ? part.BoundingRadius : Tree.Radius;
 
-    public bool IsConvex => Mesh is null && Compound is null;
+    /// <summary>Whether it is one convex part.</summary>
+    public bool IsConvex => Mesh is null && !HasJoints;
+
+    /// <summary>Joins it to other static objects.</summary>
+    /// <param name="box">Holds it, in the world.</param>
+    public void Join(in Aabb box)
+    {
+        Double3 min = box.Min, max = box.Max;
+        double size = min.SumOfMagnitudes + max.SumOfMagnitudes + ((Double3)Pose.Position).SumOfMagnitudes;
+        double room = 4 * CoveredSides.Room * size;
+        var all = new Double3(room, room, room);
+        (_low, _high, IsJoined) = (min - all, max + all, true);
+    }
+
+    /// <summary>Whether a point of the world may be in one that is joined, or as good as on it.</summary>
+    public bool MayHold(in Double3 point) =>
+        point.X >= _low.X && point.X <= _high.X && point.Z >= _low.Z && point.Z <= _high.Z
+        && point.Y >= _low.Y && point.Y <= _high.Y;
+
+    /// <summary>A point of the world in its frame.</summary>
+    public Double3 Local(in Double3 point) => new RotationD(Pose.Rotation).InverseRotate(point - Pose.Position);
+
+    /// <summary>A direction of the world in its frame.</summary>
+    public Double3 Turned(in Double3 direction) => new RotationD(Pose.Rotation).InverseRotate(direction);
 
     /// <returns>False where the shape or the pose is a <c>default</c> struct.</returns>
     public bool TrySet(in AnyShape shape, in RigidPose pose)
@@ -50,6 +88,7 @@ internal sealed class PartSide
         IsSolid = shape.Kind == AnyShapeKind.Solid;
         Insides = shape.Insides;
         Margin = 0;
+        IsJoined = false;
         if (!IsConvex)
         {
             Tree = Mesh is not null ? Mesh.Tree : Compound!.Tree;
@@ -177,6 +216,14 @@ internal sealed class PartSide
     /// <summary>The middle of a triangle, or a convex part's centre, in the world; double rounds it.</summary>
     public Double3 CenterOf(int part) =>
         CoveredSides.InWorld(Mesh is null ? Convex(part).Center : MiddleOf(part), Pose);
+
+    /// <summary>The middle of a triangle, or of a part's box, in the world.</summary>
+    public Double3 MiddleOfPart(int part)
+    {
+        if (Compound is null) return CenterOf(part);
+        (Double3 min, Double3 max) = Compound.Boxes[part];
+        return CoveredSides.InWorld((min + max) * 0.5, Pose);
+    }
 
     /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
     public Double3 MiddleOf(int piece, out int part)

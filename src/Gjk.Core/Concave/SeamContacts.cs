@@ -21,6 +21,7 @@ internal static class SeamContacts
     /// <param name="contacts">Gets the contact that needs no others to be judged.</param>
     public static void Find(ConcaveScratch scratch, in PairDistance pair, float maxGap, List<PairContacts> contacts)
     {
+        scratch.Select(pair.Pair);
         PartSide a = scratch.A, b = scratch.B;
         if (ContactCone.IsInnerWall(a, pair.PartA) || ContactCone.IsInnerWall(b, pair.PartB)) return;
         ConvexShape roomA = default, roomB = default;
@@ -35,7 +36,7 @@ internal static class SeamContacts
             : (Double3)result.Normal;
         ContactFit fitA = Judge(a, pair.PartA, normal), fitB = Judge(b, pair.PartB, -normal);
         if (!a.IsConvex || !b.IsConvex) DeepestPoint.Lead(ref manifold);
-        var own = new PairContacts(pair.PartA, pair.PartB, result, manifold);
+        var own = new PairContacts(pair.PartA, pair.PartB, result, manifold, pair.Pair);
         if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
         {
             if (!OutwardContact.TryReplace(scratch, own, pair, normal, shapeA, shapeB, maxGap)) contacts.Add(own);
@@ -61,14 +62,12 @@ internal static class SeamContacts
     /// touch, what may hold them instead is kept, as sides may cover each other where more than two meet.</summary>
     public static void RemoveCovered(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
-        RemoveCovered(scratch, scratch.A, true, maxGap, contacts);
-        RemoveCovered(scratch, scratch.B, false, maxGap, contacts);
+        if (!scratch.A.IsConvex) RemoveCovered(scratch, true, maxGap, contacts);
+        if (!scratch.B.IsConvex) RemoveCovered(scratch, false, maxGap, contacts);
     }
 
-    private static void RemoveCovered(
-        ConcaveScratch scratch, PartSide side, bool isA, float maxGap, List<PairContacts> contacts)
+    private static void RemoveCovered(ConcaveScratch scratch, bool isA, float maxGap, List<PairContacts> contacts)
     {
-        if (side.IsConvex) return;
         List<OpenPlane> planes = scratch.Planes;
         List<bool> areAtJoints = scratch.AreAtJoints, areOpen = scratch.AreOpen;
         planes.Clear();
@@ -80,18 +79,19 @@ internal static class SeamContacts
             areAtJoints.Add(isAtJoint);
             bool isOpen = !isAtJoint && !IsAtJoint(scratch, !isA, one, isNear);
             areOpen.Add(isOpen);
-            if (isOpen) CoveredSides.AddPlane(planes, one.Manifold, isA, side.Pose);
+            if (isOpen) CoveredSides.AddPlane(planes, one.Manifold, isA, scratch.SideOf(one.Pair.A, isA).Pose);
         }
 
-        RemoveCoveredFaces(scratch, side, isA);
+        RemoveCoveredFaces(scratch, isA);
         List<OpenPlane> ends = scratch.Ends;
         ends.Clear();
         for (int i = 0; i < contacts.Count; i++)
         {
             PairContacts one = contacts[i];
+            PartSide side = scratch.SideOf(one.Pair.A, isA);
             if (!areAtJoints[i])
             {
-                if (areOpen[i] && !IsCovered(scratch, side, isA, one, false))
+                if (areOpen[i] && !IsCovered(scratch, isA, one, false))
                     CoveredSides.AddPlane(ends, one.Manifold, isA, side.Pose);
                 continue;
             }
@@ -107,22 +107,24 @@ internal static class SeamContacts
         {
             // A face that is much deeper than its pair is pushed along only where nothing else pushes.
             if (one.IsOfA == isA && !(one.Own > one.Contact.Result.Distance * ContactPush.MuchLess))
-                CoveredSides.AddPlane(planes, one.Contact.Manifold, isA, side.Pose);
+                CoveredSides.AddPlane(
+                    planes, one.Contact.Manifold, isA, scratch.SideOf(one.Contact.Pair.A, isA).Pose);
         }
 
         int kept = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
             PairContacts one = contacts[i];
-            if (!IsCovered(scratch, side, isA, one, areAtJoints[i])) contacts[kept++] = one;
+            scratch.Select(one.Pair);
+            if (!IsCovered(scratch, isA, one, areAtJoints[i])) contacts[kept++] = one;
             else if (areAtJoints[i] && FlushSides.TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
-            else if (AreLevel(one.Result, isA)) Replace(scratch, side, isA, one, areAtJoints[i], maxGap);
+            else if (AreLevel(one.Result, isA)) Replace(scratch, isA, one, areAtJoints[i], maxGap);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
     }
 
-    private static void RemoveCoveredFaces(ConcaveScratch scratch, PartSide side, bool isA)
+    private static void RemoveCoveredFaces(ConcaveScratch scratch, bool isA)
     {
         List<FaceContact> faces = scratch.FaceContacts;
         int kept = 0;
@@ -130,7 +132,7 @@ internal static class SeamContacts
         {
             FaceContact face = faces[i];
             bool isAtJoint = IsAtJoint(scratch, isA, face.Contact);
-            if (!IsCovered(scratch, side, isA, face.Contact, isAtJoint)) faces[kept++] = face;
+            if (!IsCovered(scratch, isA, face.Contact, isAtJoint)) faces[kept++] = face;
             else if (AreLevel(face.Contact.Result, isA)) scratch.Orphans.Add(face);
         }
 
@@ -149,16 +151,17 @@ internal static class SeamContacts
     /// <param name="isNear">Whether it is no deeper than the pairs are near: what covers it is among them.</param>
     private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PairContacts one, bool isNear = false)
     {
-        PartSide side = isA ? scratch.A : scratch.B;
-        if (side.Compound is null) return false;
+        PartSide side = scratch.SideOf(one.Pair.A, isA);
+        if (!side.HasJoints) return false;
         var cover = new PartsCover(scratch, isA, one);
         return isNear
             ? cover.GoesOnAtWitness(one)
-            : GoesOn(scratch, side, isA ? one.PartA : one.PartB, cover.Witness(one), cover.Outward(one));
+            : JoinedGrounds.GoesOn(scratch, side, isA ? one.PartA : one.PartB, cover.Witness(one), cover.Outward(one));
     }
 
-    private static bool IsCovered(ConcaveScratch scratch, PartSide side, bool isA, in PairContacts one, bool isAtJoint)
+    private static bool IsCovered(ConcaveScratch scratch, bool isA, in PairContacts one, bool isAtJoint)
     {
+        PartSide side = scratch.SideOf(one.Pair.A, isA);
         var cover = new PartsCover(scratch, isA, one);
         if (!CoveredSides.IsAnyAcross(scratch.Planes, cover.Outward(one))) return isAtJoint;
         ConvexShape room = default;
@@ -171,8 +174,9 @@ internal static class SeamContacts
     /// <summary>What holds two parts that overlap, if they need it: the way that the union shows, or else their
     /// own.</summary>
     private static void Replace(
-        ConcaveScratch scratch, PartSide side, bool isA, in PairContacts one, bool isAtJoint, float maxGap)
+        ConcaveScratch scratch, bool isA, in PairContacts one, bool isAtJoint, float maxGap)
     {
+        scratch.Select(one.Pair);
         PartSide otherSide = isA ? scratch.B : scratch.A;
         int other = isA ? one.PartB : one.PartA;
         ConvexShape roomA = default, roomB = default;
@@ -205,17 +209,8 @@ internal static class SeamContacts
     {
         PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
         ManifoldPoint tip = CoveredSides.Tip(part, side.Pose, other, otherSide.Pose, way);
-        return IsOn(scratch, isA, part, tip.LocalPointA)
-            && !GoesOn(scratch, otherSide, isA ? one.PartB : one.PartA, tip.PointB, -way);
-    }
-
-    /// <summary>Whether another part of a compound holds a point of one in the world and reaches beyond it.</summary>
-    public static bool GoesOn(ConcaveScratch scratch, PartSide side, int part, in Double3 point, in Double3 direction)
-    {
-        if (side.Compound is null) return false;
-        RotationD turn = new(side.Pose.Rotation);
-        Double3 local = turn.InverseRotate(point - side.Pose.Position);
-        return CoveredSides.GoesOn(scratch, AnyShape.Of(side.Compound), part, local, turn.InverseRotate(direction));
+        return JoinedGrounds.IsOn(scratch, side, isA, part, tip.LocalPointA)
+            && !JoinedGrounds.GoesOn(scratch, otherSide, isA ? one.PartB : one.PartA, tip.PointB, -way);
     }
 
     /// <summary>Whether a body ends at a part along a direction in the world.</summary>
@@ -251,11 +246,12 @@ internal static class SeamContacts
         int triangle = isConvexA ? pair.PartB : pair.PartA;
         if (!MeshClimb.TryFind(other.Mesh!, triangle, toOther.InverseRotate(-outward), out int corner)) return false;
         Double3 local = other.Mesh!.GetCorner(corner), tip = toOther.Rotate(local) + other.Pose.Position;
+        if (JoinedGrounds.GoesOn(scratch, other, triangle, tip, -outward)) return false;
         ManifoldPoint point = CoveredSides.Under(shape, convex.Pose, outward, tip, (Vector3)local);
         Double3 inConvex = toConvex.InverseRotate(tip - convex.Pose.Position);
-        if (point.Gap <= 0 && !IsOn(scratch, isConvexA, shape, inConvex)) return false;
+        if (point.Gap <= 0 && !JoinedGrounds.IsOn(scratch, convex, isConvexA, shape, inConvex)) return false;
         bool isDeep = isOverlapping && other.IsSolid && convex.IsConvex;
-        if (!isDeep && !IsOn(scratch, isConvexA, shape, point.LocalPointA)) return false;
+        if (!isDeep && !JoinedGrounds.IsOn(scratch, convex, isConvexA, shape, point.LocalPointA)) return false;
         if (!isOverlapping)
         {
             if (fit == ContactFit.Leans) contacts.Add(own);
@@ -269,22 +265,11 @@ internal static class SeamContacts
             manifold.Begin((Vector3)normal);
             manifold.Add(isConvexA ? point : point.Swapped);
             int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
-            contact = new PairContacts(partA, partB, DeepestPoint.Result(manifold, own.Result), manifold);
+            contact = new PairContacts(
+                partA, partB, DeepestPoint.Result(manifold, own.Result), manifold, pair.Pair);
         }
 
         scratch.FaceContacts.Add(new FaceContact(contact, pair, isConvexA, own.Result));
         return true;
-    }
-
-    /// <summary>Whether a point is on a convex part, or on another one of its body that is near.</summary>
-    public static bool IsOn(ConcaveScratch scratch, bool isA, in ConvexShape shape, in Double3 point)
-    {
-        if (CoveredSides.IsOn(shape, point)) return true;
-        PartSide side = isA ? scratch.A : scratch.B;
-        if (side.IsConvex) return false;
-        ConvexShape room = default;
-        foreach (PairDistance near in scratch.Pairs)
-            if (CoveredSides.IsOn(side.Part(isA ? near.PartA : near.PartB, ref room), point)) return true;
-        return false;
     }
 }

@@ -28,16 +28,15 @@ internal readonly struct TouchLine
 
     private static void KeepOn(ConcaveScratch scratch, bool isA, List<PairContacts> contacts)
     {
-        PartSide side = isA ? scratch.A : scratch.B, other = isA ? scratch.B : scratch.A;
-        if (other.Mesh is not null) return;
         ConvexShape room = default;
         int count = 0;
         for (int i = 0; i < contacts.Count; i++)
         {
             PairContacts one = contacts[i];
+            PartSide side = scratch.SideOf(one.Pair.A, isA), other = scratch.SideOf(one.Pair.A, !isA);
             Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
             ref readonly ConvexShape shape = ref other.Part(Math.Max(isA ? one.PartB : one.PartA, 0), ref room);
-            if (TryFind(shape, other.Pose, outward, out TouchLine line))
+            if (other.Mesh is null && TryFind(shape, other.Pose, outward, out TouchLine line))
             {
                 var cover = new PartsCover(scratch, isA, one);
                 if (line.IsBeside(one, isA, side.Pose, cover) && IsAnyDeeper(contacts, one, isA)) continue;
@@ -82,7 +81,7 @@ internal readonly struct TouchLine
     {
         foreach (PairContacts other in contacts)
         {
-            if ((isA ? other.PartB == one.PartB : other.PartA == one.PartA)
+            if ((isA ? other.PartB == one.PartB : other.PartA == one.PartA && other.Pair.A == one.Pair.A)
                 && IsDeeper(other, other.Manifold.Normal, one, one.Manifold.Normal))
             {
                 return true;

@@ -7,7 +7,7 @@ public sealed partial class CollisionScene
 
     private readonly PairAnswers<PairDistance> _depths = new();
     private readonly PairAnswers<PairContacts> _contacts = new();
-    private readonly SceneSeams _seams;
+    private readonly SceneUnions _unions;
 
     /// <summary>Whether static objects that are flush, such as the tiles of a floor, count as one body in
     /// <see cref="FindContacts(float, List{PairContacts}, Workers)"/>: an object has no contact with a side of one that
@@ -55,14 +55,18 @@ public sealed partial class CollisionScene
         Guard.NotNull(results, nameof(results));
         CheckDistance(maxGap, nameof(maxGap));
         MakeContacts(maxGap, workers);
-        results.Clear();
-        for (int i = 0; i < _contacts.Count; i++)
-        {
-            if (_objects.Parts.Has(_touching[i])) results.AddRange(_contacts.Parts(i));
-            else if (_contacts[i].Manifold.Count > 0) results.Add(_contacts[i]);
-        }
+        CopyContacts(_touching, _contacts, _unions, results);
+    }
 
-        if (JoinsStatic) _seams.Remove(results, maxGap);
+    private void CopyContacts(
+        List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, List<PairContacts> results)
+    {
+        results.Clear();
+        for (int i = 0; i < answers.Count; i++)
+        {
+            if (unions.Has(i) || _objects.Parts.Has(pairs[i])) results.AddRange(answers.Parts(i));
+            else if (answers[i].Manifold.Count > 0) results.Add(answers[i]);
+        }
     }
 
     private void MeasureDepths(Workers? workers)
@@ -82,8 +86,21 @@ public sealed partial class CollisionScene
 
         _contactGap = maxGap;
         CollectTouching(maxGap, workers);
-        _contacts.HasParts = _objects.Parts.Any;
-        AnswerPairs(_contacts, _touching, new SceneContactJob(_objects, _touching, _contacts, maxGap), workers);
+        MakeContacts(_touching, _contacts, _unions, maxGap, workers, true);
+    }
+
+    private void MakeContacts(
+        List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap, Workers? workers,
+        bool isKept)
+    {
+        unions.Collect(pairs, JoinsStatic);
+        answers.HasParts |= _objects.Parts.Any || unions.Count > 0;
+        var job = new SceneContactJob(_objects, pairs, answers, unions, maxGap);
+        var joined = new SceneUnionJob(_objects, pairs, answers, unions, maxGap);
+        answers.Begin(pairs, _objects.Ids, ref _calls, isKept);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.PartLength, CancellationToken.None);
+        Workers.Run(workers, joined, unions.Count, PairBatch.ConcavePartLength, CancellationToken.None);
+        answers.Complete();
     }
 
     /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>

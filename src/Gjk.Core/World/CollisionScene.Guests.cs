@@ -3,7 +3,9 @@ namespace Gjk.Core;
 public sealed partial class CollisionScene
 {
     private readonly List<PairDistance> _guestDistances = [];
-    private readonly List<PairContacts> _guestContacts = [];
+    private readonly List<ObjectPair> _guestPairs = [];
+    private readonly PairAnswers<PairContacts> _guestContacts = new();
+    private readonly SceneUnions _guestUnions;
 
     /// <summary>How far a shape that is none of the scene's is from the objects near it. Of an object that is not
     /// convex each part that is near has a distance of its own, as <c>ConcaveQuery.FindPairsWithin</c> gives
@@ -97,22 +99,10 @@ public sealed partial class CollisionScene
         CheckDistance(maxGap, nameof(maxGap));
         Guard.NotNull(results, nameof(results));
         ConcaveScratch scratch = Invite(shape, pose, maxGap, filter, out int guest);
-        results.Clear();
-        foreach (int slot in _near)
-        {
-            var pair = new ObjectPair(guest, slot);
-            if (_objects.Parts.Has(slot))
-            {
-                _objects.Parts.FindContacts(pair, maxGap, scratch, _guestContacts);
-                results.AddRange(_guestContacts);
-                continue;
-            }
-
-            PairContacts found = _objects.ContactsOf(pair, maxGap);
-            if (found.Manifold.Count > 0) results.Add(found);
-        }
-
-        if (JoinsStatic) _seams.Remove(results, maxGap);
+        _guestPairs.Clear();
+        foreach (int slot in _near) _guestPairs.Add(new ObjectPair(guest, slot));
+        MakeContacts(_guestPairs, _guestContacts, _guestUnions, maxGap, null, false);
+        CopyContacts(_guestPairs, _guestContacts, _guestUnions, results);
         Dismiss(scratch);
     }
 

@@ -36,7 +36,7 @@ public sealed partial class CollisionScene
     public CollisionScene(IBroadPhase broadPhase)
     {
         _phase = new EndlessPhase(Guard.NotNull(broadPhase, nameof(broadPhase)), _objects);
-        _seams = new SceneSeams(_objects);
+        (_unions, _guestUnions) = (new SceneUnions(_objects), new SceneUnions(_objects));
         _moves = new SceneMoves(_objects);
         if (_phase.Count != 0) throw new ArgumentException("Must be empty.", nameof(broadPhase));
     }

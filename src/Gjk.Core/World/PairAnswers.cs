@@ -25,6 +25,13 @@ internal sealed class PairAnswers<T> : PairFrames
         return true;
     }
 
+    /// <summary>The answer that the i-th pair had in the last frame; a default struct where it had none.</summary>
+    public T LastOf(int i)
+    {
+        int last = Seek(i);
+        return IsKnown(i, ref last) ? _last[last] : default;
+    }
+
     /// <summary>Whether some pairs have more answers than one.</summary>
     public bool HasParts { get; set; }
 

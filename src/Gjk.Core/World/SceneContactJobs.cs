@@ -25,9 +25,11 @@ internal readonly struct SceneDepthJob(
     }
 }
 
-/// <summary>Where a scene's pairs touch. Pairs at rest keep their answers, which are what they would get.</summary>
+/// <summary>Where a scene's pairs touch that are not joined. Pairs at rest keep their answers: what they would
+/// get.</summary>
 internal readonly struct SceneContactJob(
-    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, float maxGap) : IPartJob
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap)
+    : IPartJob
 {
     public void Run(int begin, int end)
     {
@@ -36,16 +38,26 @@ internal readonly struct SceneContactJob(
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
-            if (objects.TryKeep(answers, pair, i, ref last)) continue;
-            if (objects.Parts.Has(pair))
-            {
-                objects.Parts.FindContacts(pair, maxGap, scratch!, answers.Parts(i));
-                continue;
-            }
-
-            answers[i] = objects.ContactsOf(pair, maxGap);
+            if (unions.Has(i)) continue;
+            if (objects.TryKeep(answers, pair, i, ref last) && SceneUnions.CountIn(answers[i]) == 0) continue;
+            answers[i] = default;
+            if (objects.Parts.Has(pair)) objects.Parts.FindContacts(pair, maxGap, scratch!, answers.Parts(i));
+            else answers[i] = objects.ContactsOf(pair, maxGap);
         }
 
         if (scratch is not null) objects.Parts.Return(scratch);
+    }
+}
+
+/// <summary>Where bodies touch static objects that are joined.</summary>
+internal readonly struct SceneUnionJob(
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap)
+    : IPartJob
+{
+    public void Run(int begin, int end)
+    {
+        ConcaveScratch scratch = objects.Parts.Rent();
+        for (int i = begin; i < end; i++) unions.Find(i, pairs, answers, maxGap, scratch);
+        objects.Parts.Return(scratch);
     }
 }

@@ -35,40 +35,6 @@ internal sealed class ScenePartQueries(SceneObjects objects)
         return ref room;
     }
 
-    /// <summary>Whether a part of the object in a slot holds a point of its frame and reaches beyond it.</summary>
-    public bool GoesOn(int slot, in Double3 point, in Double3 direction)
-    {
-        if (!Has(slot)) return CoveredSides.GoesOn(objects.Shapes[slot], point, direction);
-        ConcaveScratch scratch = Rent();
-        bool goesOn = CoveredSides.GoesOn(scratch, _shapes[slot], PartSide.NoPart, point, direction);
-        Return(scratch);
-        return goesOn;
-    }
-
-    /// <summary>Whether the object in a slot holds a point of its frame.</summary>
-    public bool Holds(int slot, in Double3 point)
-    {
-        if (!Has(slot)) return CoveredSides.IsOn(objects.Shapes[slot], point);
-        ConcaveScratch scratch = Rent();
-        var room = (float)(CoveredSides.Room * point.SumOfMagnitudes);
-        PairDistance found = ConcaveQuery.Distance(
-            _shapes[slot], RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point), scratch,
-            2 * room);
-        Return(scratch);
-        return found.Result.Distance <= room;
-    }
-
-    /// <summary>Whether the object in a slot ends at one of its parts along a direction in the world.</summary>
-    public bool Shows(int slot, int part, in Double3 direction)
-    {
-        if (!Has(slot)) return true;
-        ConcaveScratch scratch = Rent();
-        bool shows = scratch.A.TrySet(_shapes[slot], objects.Poses[slot])
-            && SeamContacts.Judge(scratch.A, part, direction) == ContactFit.Stays;
-        Return(scratch);
-        return shows;
-    }
-
     public void Set(int slot, in AnyShape shape)
     {
         Any = true;

@@ -29,7 +29,7 @@ public class SceneSeamTests
             var over = new Vector3(i % 3 == 0 ? 1.5f : random.Float(0.9, 2.1), 0, random.Float(0.9, 2.1));
             RigidPose at = SeamBodies.Placed(body, over, yaw, -random.Of(1e-3f, 5e-3f));
             if (isFirst) scene.Add(body, at);
-            AddTiles(scene, tiles == "fields", isStatic: true);
+            AddTiles(scene, tiles, isStatic: true);
             if (!isFirst) scene.Add(body, at);
             scene.FindContacts(Reach, _contacts);
             Assert.True(_contacts.Exists(c => c.Result.Distance < 0), $"{i}: contact lost");
@@ -43,11 +43,82 @@ public class SceneSeamTests
         Assert.InRange(kicks, 20, 200);
     }
 
+    /// <summary>A body that the floor holds from below is not pushed along a tile's border under it, however deep it
+    /// is.</summary>
+    [Theory]
+    [InlineData("cylinder", 0.3f, "fields")]
+    [InlineData("solid box", 0.2f, "fields")]
+    [InlineData("solid box", 0.2f, "solids")]
+    [InlineData("box", 0.2f, "solids")]
+    [InlineData("capsule", 0.3f, "solids")]
+    public void DeepBodiesAreNotPushedAside(string name, float half, string tiles)
+    {
+        var size = new Vector3(0.5f, half, 0.3f);
+        AnyShape body = name switch
+        {
+            "cylinder" => AnyShape.Of(ConvexShape.Cylinder(0.3f, half)),
+            "capsule" => AnyShape.Of(ConvexShape.Capsule(half, 0.3f)),
+            "box" => AnyShape.Of(ConvexShape.Box(size)),
+            _ => AnyShape.Solid(ConcaveShapes.Box(size)),
+        };
+        Quaternion own = name is "cylinder" or "capsule"
+            ? Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2)
+            : Quaternion.Identity;
+        for (int i = 0; i < 200; i++)
+        {
+            var random = new FuzzRandom((ulong)i);
+            float depth = random.Of(1e-3f, 0.02f, 0.1f);
+            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6.3)) * own;
+            float x = i % 3 == 0 ? 1.5f : random.Float(1.1, 1.9);
+            var scene = new CollisionScene();
+            AddTiles(scene, tiles, isStatic: true);
+            scene.Add(body, new RigidPose(turn, new Vector3(x, half - depth, random.Float(1.1, 1.9))));
+            scene.FindContacts(random.Of(0, Reach), _contacts);
+            Assert.Contains(_contacts, c => c.Result.Distance < -0.99f * depth);
+            foreach (PairContacts one in _contacts)
+            {
+                Assert.True(one.Manifold.Normal.Y > 0.9999f, $"{name} {i}, {depth} deep: {one}");
+                Assert.True(one.Result.Distance > -1.01f * depth, $"{name} {i}, {depth} deep: {one}");
+            }
+        }
+    }
+
+    /// <summary>Objects that are joined keep their answers while they rest, and only so long.</summary>
+    [Fact]
+    public void AnswersAreKeptWhileTheFloorIsTheSame()
+    {
+        var scene = new CollisionScene();
+        AnyShape tile = AnyShape.Of(ConvexShape.Box(new Vector3(0.5f, 0.1f, 0.5f)));
+        var still = new ObjectSettings(isStatic: true);
+        int left = scene.Add(tile, new RigidPose(new Vector3(-0.5f, -0.1f, 0)), still);
+        int right = scene.Add(tile, new RigidPose(new Vector3(0.5f, -0.1f, 0)), still);
+        scene.Add(ConvexShape.Box(new Vector3(0.3f, 0.2f, 0.3f)), new RigidPose(new Vector3(0.25f, 0.1f, 0)));
+        for (int i = 0; i < 3; i++)
+        {
+            scene.JoinsStatic = i != 1;
+            for (int k = 0; k < 2; k++)
+            {
+                scene.FindContacts(Reach, _contacts);
+                Assert.Equal(i != 1, _contacts.TrueForAll(c => c.Manifold.Normal.Y > 0.9999f));
+                Assert.Equal([left, right], _contacts.ConvertAll(c => c.Pair.A));
+            }
+        }
+
+        scene.Remove(right);
+        scene.FindContacts(Reach, _contacts);
+        Assert.Equal([left], _contacts.ConvertAll(c => c.Pair.A));
+        ContactManifold alone = default;
+        ConvexQuery.Contacts(
+            tile.Convex, scene.GetPose(left), ConvexShape.Box(new Vector3(0.3f, 0.2f, 0.3f)),
+            new RigidPose(new Vector3(0.25f, 0.1f, 0)), Reach, out alone);
+        Assert.Equal(alone, _contacts[0].Manifold);
+    }
+
     [Fact]
     public void ObjectsThatMoveAreNotJoined()
     {
         var scene = new CollisionScene();
-        AddTiles(scene, areFields: false, isStatic: false);
+        AddTiles(scene, "boxes", isStatic: false);
         AnyShape ball = SeamBodies.Named("ball");
         int id = scene.Add(ball, SeamBodies.Placed(ball, new Vector3(1.48f, 0, 1.2f), Quaternion.Identity, -0.005f));
         scene.FindContacts(Reach, _contacts);
@@ -129,21 +200,23 @@ public class SceneSeamTests
     public void WarmCallsAllocateNothing()
     {
         var scene = new CollisionScene();
-        AddTiles(scene, areFields: false, isStatic: true);
+        AddTiles(scene, "boxes", isStatic: true);
         AnyShape ball = SeamBodies.Named("ball");
         scene.Add(ball, SeamBodies.Placed(ball, new Vector3(1.48f, 0, 1.2f), Quaternion.Identity, -0.005f));
         Assert.Equal(0, Allocation.Least(() => scene.FindContacts(Reach, _contacts)));
         Assert.NotEmpty(_contacts);
     }
 
-    private static void AddTiles(CollisionScene scene, bool areFields, bool isStatic)
+    private static void AddTiles(CollisionScene scene, string tiles, bool isStatic)
     {
         var settings = new ObjectSettings(isStatic: isStatic, mask: isStatic ? uint.MaxValue : 2 | 1);
         AnyShape field = AnyShape.Surface(TriangleMesh.FromHeights(new float[9], 3, new Vector2(0.25f)));
+        AnyShape solid = AnyShape.Solid(ConcaveShapes.Box(new Vector3(0.25f, 0.2f, 0.25f)));
         foreach (CompoundPart tile in Floors.Tiles(0))
         {
             Vector3 low = tile.Pose.Position + new Vector3(-0.25f, 0.2f, -0.25f);
-            if (areFields) scene.Add(field, new RigidPose(low), settings);
+            if (tiles == "solids") scene.Add(solid, tile.Pose, settings);
+            else if (tiles == "fields") scene.Add(field, new RigidPose(low), settings);
             else scene.Add(tile.Shape, tile.Pose, settings);
         }
     }

@@ -1,0 +1,91 @@
+namespace Gjk.Core;
+
+/// <summary>Static objects of a scene that a body touches, such as the tiles of a floor: they count as one body, whose
+/// parts are joined as those of a compound.</summary>
+internal static class JoinedGrounds
+{
+    /// <summary>Before the grounds of a body, which is B.</summary>
+    public static void Begin(ConcaveScratch scratch, in AnyShape body, in RigidPose pose)
+    {
+        scratch.B.TrySet(body, pose);
+        scratch.Pairs.Clear();
+    }
+
+    /// <summary>Adds a static object, unless it is further away than a gap.</summary>
+    public static void Add(
+        ConcaveScratch scratch, in AnyShape shape, in RigidPose pose, in Aabb box, int name, float maxGap)
+    {
+        if (scratch.GroundCount == scratch.Grounds.Count) scratch.Grounds.Add(new PartSide());
+        PartSide ground = scratch.Grounds[scratch.GroundCount], own = scratch.A;
+        ground.TrySet(shape, pose);
+        scratch.A = ground;
+        PartPairSearch.Collect(scratch, maxGap, scratch.Near);
+        scratch.A = own;
+        if (scratch.Near.Count == 0) return;
+        InPlaceSort.Sort(scratch.Near);
+        foreach (PairDistance near in scratch.Near)
+            scratch.Pairs.Add(near.Of(new ObjectPair(scratch.GroundCount, PartSide.NoPart)));
+        (ground.Name, ground.PairsEnd) = (name, scratch.Pairs.Count);
+        ground.Join(box);
+        scratch.GroundCount++;
+    }
+
+    /// <summary>Finds the contacts of the body with all of them; none where they are fewer than two, which are
+    /// not joined.</summary>
+    /// <param name="scratch">With the grounds.</param>
+    /// <param name="maxGap">In world units.</param>
+    /// <param name="contacts">Cleared, then the contacts; A of a pair is the ground's number in the scratch.</param>
+    public static void FindContacts(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
+    {
+        contacts.Clear();
+        if (scratch.GroundCount < 2) return;
+        PartSide own = scratch.A;
+        scratch.A = scratch.Grounds[0];
+        ConcaveQuery.FindOfPairs(scratch, maxGap, contacts);
+        scratch.A = own;
+    }
+
+    /// <summary>Whether another part of a compound, or an object joined to it, holds a point of the world and reaches
+    /// beyond it.</summary>
+    public static bool GoesOn(ConcaveScratch scratch, PartSide side, int part, in Double3 point, in Double3 direction)
+    {
+        if (side.Compound is not null && CoveredSides.GoesOn(scratch, side, part, point, direction)) return true;
+        for (int i = 0; side.IsJoined && i < scratch.GroundCount; i++)
+        {
+            PartSide other = scratch.Grounds[i];
+            if (other == side || !other.MayHold(point)) continue;
+            if (CoveredSides.GoesOn(scratch, other, PartSide.NoPart, point, direction)) return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether a point is on a convex part, or on another one of its body that is near.</summary>
+    public static bool IsOn(
+        ConcaveScratch scratch, PartSide side, bool isA, in ConvexShape shape, in Double3 point)
+    {
+        if (CoveredSides.IsOn(shape, point)) return true;
+        if (side.IsConvex) return false;
+        ConvexShape room = default;
+        Double3 world = CoveredSides.InWorld(point, side.Pose);
+        for (int i = 0; i < Math.Max(scratch.GroundCount, 1); i++)
+        {
+            PartSide of = scratch.SideOf(i, isA);
+            if (of != side && !of.MayHold(world)) continue;
+            Double3 local = of == side ? point : of.Local(world);
+            (int begin, int end) = scratch.PairsOf(i);
+            for (int k = begin; k < end; k++)
+            {
+                PairDistance near = scratch.Pairs[k];
+                if (CoveredSides.IsOn(of.Part(isA ? near.PartA : near.PartB, ref room), local)) return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether what is just beyond a point of the world is in a solid.</summary>
+    public static bool IsInside(ConcaveScratch scratch, PartSide side, in Double3 point, in Double3 direction) =>
+        side.Insides.Length > 0
+        && Containment.Holds(scratch, side, FlushSides.JustBeyond(point, direction, side.Tree.Radius));
+}

@@ -1,0 +1,120 @@
+namespace Gjk.Core;
+
+/// <summary>The bodies of a scene that touch more than one static object, such as the tiles of a floor: those count as
+/// one body, whose seams do not show.</summary>
+internal sealed class SceneUnions(SceneObjects objects)
+{
+    private ulong[] _keys = new ulong[16];
+    private bool[] _isJoined = new bool[16];
+
+    /// <summary>Where the pairs of each body begin among the keys, and where they end.</summary>
+    private readonly List<(int Begin, int End)> _bodies = [];
+
+    public int Count => _bodies.Count;
+
+    /// <summary>Whether the i-th pair is of such a body and object.</summary>
+    public bool Has(int i) => _isJoined[i];
+
+    /// <summary>Finds them among pairs of slots.</summary>
+    /// <param name="pairs">Those that may touch.</param>
+    /// <param name="joins">Whether there are any.</param>
+    public void Collect(List<ObjectPair> pairs, bool joins)
+    {
+        _bodies.Clear();
+        if (_keys.Length < pairs.Count)
+        {
+            _keys = new ulong[2 * pairs.Count];
+            _isJoined = new bool[_keys.Length];
+        }
+
+        Array.Clear(_isJoined, 0, pairs.Count);
+        int count = 0;
+        for (int i = 0; joins && i < pairs.Count; i++)
+        {
+            ObjectPair pair = pairs[i];
+            bool isStatic = objects.Settings[pair.A].IsStatic;
+            if (isStatic != objects.Settings[pair.B].IsStatic && !IsEndless(pair.A) && !IsEndless(pair.B))
+                _keys[count++] = (ulong)(uint)(isStatic ? pair.B : pair.A) << 32 | (uint)i;
+        }
+
+        InPlaceSort.Sort(_keys, 0, count);
+        for (int begin = 0, end; begin < count; begin = end)
+        {
+            end = begin + 1;
+            while (end < count && _keys[end] >> 32 == _keys[begin] >> 32) end++;
+            if (end < begin + 2) continue;
+            _bodies.Add((begin, end));
+            for (int k = begin; k < end; k++) _isJoined[(int)(uint)_keys[k]] = true;
+        }
+    }
+
+    /// <summary>Finds the contacts of one of the bodies.</summary>
+    /// <param name="index">Which one.</param>
+    /// <param name="pairs">As collected.</param>
+    /// <param name="answers">Gets those of its pairs.</param>
+    /// <param name="maxGap">World units.</param>
+    /// <param name="scratch">Memory for the search.</param>
+    public void Find(
+        int index, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, float maxGap, ConcaveScratch scratch)
+    {
+        (int begin, int end) = _bodies[index];
+        if (TryKeep(begin, end, pairs, answers)) return;
+        var body = (int)(_keys[begin] >> 32);
+        List<PairContacts> contacts = scratch.Joined;
+        JoinedGrounds.Begin(scratch, objects.Parts[body], objects.Poses[body]);
+        for (int k = begin; k < end; k++)
+        {
+            var i = (int)(uint)_keys[k];
+            answers.Parts(i).Clear();
+            answers[i] = new PairContacts(end - begin, PartSide.NoPart, default, default);
+            int slot = pairs[i].A == body ? pairs[i].B : pairs[i].A;
+            Aabb box = objects.Bounds[slot].BoxAt(objects.Poses[slot]);
+            JoinedGrounds.Add(scratch, objects.Parts[slot], objects.Poses[slot], box, i, maxGap);
+        }
+
+        JoinedGrounds.FindContacts(scratch, maxGap, contacts);
+        if (scratch.GroundCount == 1)
+        {
+            int i = scratch.Grounds[0].Name;
+            scratch.GroundCount = 0;
+            objects.Parts.FindContacts(pairs[i], maxGap, scratch, answers.Parts(i));
+            return;
+        }
+
+        foreach (PairContacts one in contacts)
+        {
+            int i = scratch.Grounds[one.Pair.A].Name;
+            PairContacts placed = pairs[i].A == body ? one.Swapped : one;
+            answers.Parts(i).Add(placed.Of(objects.IdsOf(pairs[i])));
+        }
+
+        scratch.GroundCount = 0;
+    }
+
+    /// <summary>Of how many objects that are joined a pair's answer is; 0 of others.</summary>
+    public static int CountIn(in PairContacts answer) => answer.Manifold.Count == 0 ? Math.Max(answer.PartA, 0) : 0;
+
+    /// <summary>A half-space has no seam, and goes on everywhere.</summary>
+    private bool IsEndless(int slot) => objects.Shapes[slot].Kind == ShapeKind.HalfSpace;
+
+    /// <summary>Gives the pairs of a body their last answers, if neither it nor any of the objects has moved, been
+    /// added or gone.</summary>
+    private bool TryKeep(int begin, int end, List<ObjectPair> pairs, PairAnswers<PairContacts> answers)
+    {
+        for (int k = begin; k < end; k++)
+        {
+            var i = (int)(uint)_keys[k];
+            if (!answers.KnowsAny || !objects.Rest(pairs[i], answers.LastCall)) return false;
+            if (CountIn(answers.LastOf(i)) != end - begin) return false;
+        }
+
+        for (int k = begin; k < end; k++)
+        {
+            var i = (int)(uint)_keys[k];
+            int last = answers.Seek(i);
+            answers.TryKeep(i, ref last);
+        }
+
+        return true;
+    }
+}
