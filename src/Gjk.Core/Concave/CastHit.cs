@@ -8,8 +8,9 @@ public readonly struct CastHit : IComparable<CastHit>
     /// found.</summary>
     public readonly int Id;
 
-    /// <summary>The contact of the two parts. Where one begins inside a solid: OverlappingAtStart, with the way
-    /// out over the solid's outside.</summary>
+    /// <summary>The contact of the two parts. Where one overlaps at the start, depth and normal are those of the
+    /// deepest two parts: what crosses several faces of a mesh may need a longer way. Where one begins wholly inside a
+    /// solid: OverlappingAtStart, with the way out over the solid's outside.</summary>
     public readonly CastResult Result;
 
     /// <summary>The part of A: a triangle or part as the caller numbered it. -1 where A is convex, and where

@@ -26,7 +26,7 @@ public class BuildCostOnMonoTests
         ("Guard.NotNull", Making), ("PairFrame.Tighten", Given),
         ("UnitSized.*", Decorator), ("ConvexQuery.AddPlacedPoints", Placed), ("PairQuery.SolveCopies", Given),
         ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
-        ("HalfSpacePair.Ask", "the core of the other shape, once for each query"),
+        ("HalfSpacePair.Ask", "the core of the other shape, once for each query"), ("PairAnswers.LastOf", Answer),
     ];
 
     private static readonly (string Method, string Reason)[] ByValue =
@@ -64,7 +64,7 @@ public class BuildCostOnMonoTests
         ("StillStart.Run", Answer), ("UnionLift.*", Answer), ("PartsCast.*", Answer), ("UnionCast.*", Answer),
         ("ConcaveQuery.*", Answer), ("PartQuery.*", Part), ("PartPairSearch.*", Answer), ("PartCastSearch.*", Part),
         ("Containment.*", Answer), ("SolidExit.*", Answer), ("TreeFrame.Compose", Answer),
-        ("BoxFit.TryGetSpread", Making), ("PartSide.TryGetOutward", Cover), ("PlaneProof.*", Cover),
+        ("BoxFit.TryGetSpread", Making), ("PlaneProof.*", Cover),
         ("OutwardContact.*", Contact), ("SolidInside.*", Answer),
         ("Reaches.OfPart", Part), ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
         ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
@@ -87,7 +87,7 @@ public class BuildCostOnMonoTests
         ("HalfSpaceMotion.*", State), ("HalfSpacePair.*", Answer), ("MetTogether.*", Contact),
         ("SceneRayJob.Run", State),
         ("SceneDistanceJob.AskParts", "once for some dozens of pairs"), ("ScenePartQueries.*", Part),
-        ("SceneSeams.*", Contact), ("BodyContact.*", Contact), ("GroundCover.*", Cover),
+        ("SceneUnions.*", Contact), ("JoinedGrounds.*", Cover), ("PartSide.*", Cover),
         ("ShapeBounds.BoxAt", "the turned axes, of which each object that moved needs all"),
         ("ShapeBounds.ctor", Making),
     ];
