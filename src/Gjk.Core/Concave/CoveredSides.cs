@@ -17,6 +17,11 @@ internal static class CoveredSides
     /// parts whose places are rounded.</summary>
     public const double Room = 4 * ContactCone.Slack;
 
+    /// <summary>Ratio to a place in the world: 2^-22, twice what the positions of two parts that are flush lose in
+    /// float. Without it the seams between objects that are far out are kerbs, as FarTilesTests shows; a quarter is
+    /// enough there.</summary>
+    private const double Rounding = 1.0 / (1 << 22);
+
     /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane, and so far
     /// beyond a witness what the union shows there. A plane across a side is turned from it by 26 degrees or
     /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
@@ -52,7 +57,7 @@ internal static class CoveredSides
         foreach (OpenPlane plane in planes)
         {
             Double3 to = one.Foot - plane.Foot;
-            double least = Room * to.SumOfMagnitudes;
+            double least = Room * to.SumOfMagnitudes + RoundingAt(one.Foot);
             if (plane.Depth >= one.Depth && (plane.Normal - one.Normal).SumOfMagnitudes <= Room
                 && Math.Abs(Double3.Dot(to, one.Normal)) <= least)
             {
@@ -173,7 +178,8 @@ internal static class CoveredSides
         ConcaveScratch scratch, PartSide side, int but, in Double3 inWorld, in Double3 along)
     {
         Double3 point = side.Local(inWorld), direction = side.Turned(along);
-        if (side.Mesh is null && side.Compound is null) return GoesOn(side.Convex(0), point, direction);
+        double rounding = side.Rounding;
+        if (side.Mesh is null && side.Compound is null) return GoesOn(side.Convex(0), point, direction, rounding);
         if (JoinedGrounds.IsInside(scratch, side, inWorld, along)) return true;
         AnyShape shape = side.Mesh is not null ? AnyShape.Surface(side.Mesh) : AnyShape.Of(side.Compound!);
         ConcaveScratch near = scratch.Rent();
@@ -181,11 +187,11 @@ internal static class CoveredSides
         ConvexShape room = default;
         if (shape.PartCount <= FewParts)
         {
-            near.A.TrySet(shape, RigidPose.Identity);
+            near.A.TrySet(shape, side.Pose);
             for (int part = 0; part < shape.PartCount && !goesOn; part++)
             {
                 goesOn = part != but && !IsClear(near.A, part, point)
-                    && GoesOn(near.A.Part(part, ref room), point, direction);
+                    && GoesOn(near.A.Part(part, ref room), point, direction, rounding);
             }
         }
         else
@@ -193,11 +199,11 @@ internal static class CoveredSides
             double size = shape.Mesh is not null ? shape.Mesh.Tree.Radius : shape.Compound!.Tree.Radius;
             ConcaveQuery.FindPairsWithin(
                 shape, RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
-                (float)(2 * Room * (size + point.Length)), near, near.Pairs);
+                (float)(2 * (Room * (size + point.Length) + rounding)), near, near.Pairs);
             for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
             {
                 int part = near.Pairs[i].PartA;
-                goesOn = part != but && GoesOn(near.A.Part(part, ref room), point, direction);
+                goesOn = part != but && GoesOn(near.A.Part(part, ref room), point, direction, rounding);
             }
         }
 
@@ -206,13 +212,13 @@ internal static class CoveredSides
     }
 
     /// <summary>Whether a shape holds a point of its frame and reaches beyond it.</summary>
-    public static bool GoesOn(in ConvexShape shape, in Double3 point, in Double3 direction)
+    public static bool GoesOn(in ConvexShape shape, in Double3 point, in Double3 direction, double rounding)
     {
         shape.Support(direction, out Double3 most);
         Double3 to = shape.Center + most + direction * shape.Margin - point;
         double length = to.Length;
-        if (!(Double3.Dot(to, direction) > 2 * Room * length)) return false;
-        return IsWithin(shape, point, Room * (length + point.Length));
+        if (!(Double3.Dot(to, direction) > 2 * (Room * length + rounding))) return false;
+        return IsWithin(shape, point, Room * (length + point.Length) + rounding);
     }
 
     /// <summary>Whether a part of a mesh or compound is certainly too far from a point to hold it.</summary>
@@ -221,7 +227,8 @@ internal static class CoveredSides
         if (side.Compound is { } compound)
         {
             Double3 below = compound.Boxes[part].Min - point, above = point - compound.Boxes[part].Max;
-            double room = 2 * Room * (below.SumOfMagnitudes + above.SumOfMagnitudes + point.SumOfMagnitudes);
+            double room = 2 * Room * (below.SumOfMagnitudes + above.SumOfMagnitudes + point.SumOfMagnitudes)
+                + 2 * side.Rounding;
             return Math.Max(Math.Max(below.X, above.X), Math.Max(below.Y, above.Y)) > room
                 || Math.Max(below.Z, above.Z) > room;
         }
@@ -229,7 +236,7 @@ internal static class CoveredSides
         if (side.Mesh is null) return false;
         side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
         var reach = new TriangleReach(a, b, c, point);
-        return reach.IsBeyond(2 * Room * (reach.Size + point.SumOfMagnitudes));
+        return reach.IsBeyond(2 * (Room * (reach.Size + point.SumOfMagnitudes) + side.Rounding));
     }
 
     /// <summary>Whether a plane is across the direction of a contact: no other one buries it.</summary>
@@ -244,7 +251,10 @@ internal static class CoveredSides
         Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
     public static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
-        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes);
+        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes) + RoundingAt(pose.Position);
+
+    /// <summary>World units: by so much rounding moves what is at a place.</summary>
+    public static double RoundingAt(in Double3 place) => Rounding * place.SumOfMagnitudes;
 
     /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and
     /// covered there.</summary>
@@ -275,7 +285,8 @@ internal static class CoveredSides
         Double3 local = turn.InverseRotate(point - pose.Position), beyond = turn.InverseRotate(direction);
         own.Support(beyond, out Double3 most);
         double length = (own.Center - local).Length + most.Length + own.Margin + local.Length;
-        return IsWithin(own, local + beyond * (Beyond * Room * length), Room * length);
+        double room = Room * length + RoundingAt(pose.Position);
+        return IsWithin(own, local + beyond * (Beyond * room), room);
     }
 
     /// <summary>Whether a shape is no further than so much from a point of its frame, which is rounded to float. What

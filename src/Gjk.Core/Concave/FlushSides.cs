@@ -38,7 +38,9 @@ internal static class FlushSides
         if (!(Double3.Dot(end.Normal, outward) > Steepest)) return;
         RotationD turn = new(pose.Rotation);
         bool goesOn = cover.GoesOn(end.Foot, end.Normal)
-            || CoveredSides.GoesOn(own, turn.InverseRotate(end.Foot - pose.Position), turn.InverseRotate(end.Normal));
+            || CoveredSides.GoesOn(
+                own, turn.InverseRotate(end.Foot - pose.Position), turn.InverseRotate(end.Normal),
+                CoveredSides.RoundingAt(pose.Position));
         if (!goesOn) CoveredSides.Add(ends, end);
     }
 

@@ -9,6 +9,9 @@ internal sealed class PartSide
 
     public RigidPose Pose;
 
+    /// <summary>World units: what rounding may make of its place.</summary>
+    public double Rounding => CoveredSides.RoundingAt(Pose.Position);
+
     public PartTree Tree = null!;
 
     public TriangleMesh? Mesh;

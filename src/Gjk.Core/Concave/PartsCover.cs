@@ -54,7 +54,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 PairDistance near = scratch.Pairs[k];
                 int part = isA ? near.PartA : near.PartB;
                 if (!IsBeside(near, side, isJoint) || CoveredSides.IsClear(side, part, local)) continue;
-                if (CoveredSides.GoesOn(side.Part(part, ref room), local, along)) return true;
+                if (CoveredSides.GoesOn(side.Part(part, ref room), local, along, side.Rounding)) return true;
             }
         }
 

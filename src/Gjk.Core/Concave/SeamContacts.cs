@@ -118,7 +118,7 @@ internal static class SeamContacts
             scratch.Select(one.Pair);
             if (!IsCovered(scratch, isA, one, areAtJoints[i])) contacts[kept++] = one;
             else if (areAtJoints[i] && FlushSides.TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
-            else if (AreLevel(one.Result, isA)) Replace(scratch, isA, one, areAtJoints[i], maxGap);
+            else if (AreLevel(scratch, one, isA)) Replace(scratch, isA, one, areAtJoints[i], maxGap);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
@@ -133,16 +133,19 @@ internal static class SeamContacts
             FaceContact face = faces[i];
             bool isAtJoint = IsAtJoint(scratch, isA, face.Contact);
             if (!IsCovered(scratch, isA, face.Contact, isAtJoint)) faces[kept++] = face;
-            else if (AreLevel(face.Contact.Result, isA)) scratch.Orphans.Add(face);
+            else if (AreLevel(scratch, face.Contact, isA)) scratch.Orphans.Add(face);
         }
 
         faces.RemoveRange(kept, faces.Count - kept);
     }
 
     /// <summary>Whether two parts overlap, or are so near that each of two sides may seem behind the other.</summary>
-    private static bool AreLevel(in DistanceResult result, bool isA) =>
-        result.Distance <= Level * CoveredSides.Room * ((Double3)(isA ? result.LocalPointA : result.LocalPointB))
-            .SumOfMagnitudes;
+    private static bool AreLevel(ConcaveScratch scratch, in PairContacts one, bool isA)
+    {
+        Double3 point = isA ? one.Result.LocalPointA : one.Result.LocalPointB;
+        double rounding = scratch.SideOf(one.Pair.A, isA).Rounding;
+        return one.Result.Distance <= Level * (CoveredSides.Room * point.SumOfMagnitudes + rounding);
+    }
 
     /// <summary>Whether another part of its body goes on where a contact is.</summary>
     /// <param name="scratch">With both sides.</param>
