@@ -40,7 +40,7 @@ public class BuildCostOnMonoTests
         ("BestNormal.set_Normal", "once for each normal"),
         ("GjkDistance.Stop", "once for each search"), ("GjkDistance.Tell", Trace),
         ("Proofs.IsCertainlyInside", "once, where the simplex may hold the origin"),
-        ("FaceSearch.Made", "it changes its copy"), ("CompoundShape.BoxOf", Making), ("BoxFit.set_Origin", Making),
+        ("DeepestPoint.Contact", "it changes its copy"), ("CompoundShape.BoxOf", Making), ("BoxFit.set_Origin", Making),
     ];
 
     private static readonly (string Method, string Reason)[] LargeLocals =
