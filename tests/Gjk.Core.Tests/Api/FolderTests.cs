@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3594,
+        ["Concave"] = 3584,
         ["Concave/Trees"] = 736,
         ["Contacts"] = 1039,
         ["Cores"] = 567,
