@@ -73,8 +73,8 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3662,
-        ["Concave/Trees"] = 736,
+        ["Concave"] = 3556,
+        ["Concave/Trees"] = 735,
         ["Contacts"] = 1039,
         ["Cores"] = 567,
         ["Diagnostics"] = 683,
@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 89,
         ["Threading"] = 211,
         ["Wide"] = 908,
-        ["World"] = 1255,
+        ["World"] = 1216,
     };
 
     [Fact]

@@ -55,8 +55,8 @@ internal struct TreeFrame
         Double3 originB = frame.Rotation.Rotate(b.Origin);
         Double3 translation = frame.RotationA.InverseRotate(between) + (originB - a.Origin);
         double far = between.SumOfMagnitudes + a.Origin.SumOfMagnitudes + b.Origin.SumOfMagnitudes;
-        double most = Math.Max(Math.Max(a.Radius, b.Radius), Math.Max(translation.SumOfMagnitudes, reach));
-        frame.Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
+        frame.Unit = PartTree.UnitOf(
+            Math.Max(Math.Max(a.Radius, b.Radius), Math.Max(translation.SumOfMagnitudes, reach)));
         double inverse = 1 / frame.Unit;
         frame.Translation = translation * inverse;
         frame.FactorA = (float)(a.Unit * inverse);
