@@ -31,7 +31,7 @@ internal struct ShapeParts
     public ConvexHull? Hull;
 
     /// <summary>The shape struct of a kind that is kept as one, made from A; null for the others.</summary>
-    public ILibraryShape? Curve;
+    public ICurve? Curve;
 
     /// <summary>A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind,
     /// the rounding and the placement are used.</summary>

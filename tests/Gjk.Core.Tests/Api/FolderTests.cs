@@ -85,7 +85,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Minkowski"] = 337,
         ["Queries"] = 1918,
         ["Queries/Rays"] = 574,
-        ["Shapes"] = 1282,
+        ["Shapes"] = 1280,
         ["Simplex"] = 885,
         ["Solvers"] = 606,
         ["Solvers/Depth"] = 1228,
