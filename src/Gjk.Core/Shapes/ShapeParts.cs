@@ -5,10 +5,9 @@ internal struct ShapeParts
 {
     public ShapeKind Kind;
 
-    /// <summary>Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the
-    /// radii. Cylinder and cone: A, the radius and half the height. Tapered capsule: A, both radii and half the height.
-    /// Half-space: A, the normal, B, the offset, and C, the normal's rounding (<see cref="HalfSpaceCore"/>).
-    /// They are doubles, because a scale may have been multiplied in.</summary>
+    /// <summary>Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Half-space: A, the
+    /// normal, B, the offset, and C, the normal's rounding (<see cref="HalfSpaceCore"/>). A kind that is kept as a
+    /// struct: A, what that is made from. They are doubles, because a scale may have been multiplied in.</summary>
     public Double3 A, B, C;
 
     /// <summary>What is applied to each support; null where it was multiplied in, or nothing is scaled.</summary>
