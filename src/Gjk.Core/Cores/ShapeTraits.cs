@@ -50,8 +50,8 @@ internal interface ILibraryShape : ISupportMap
     /// <summary>A <see cref="ShapeTraits{T}"/> of this type; asked of a <c>default</c> struct.</summary>
     object MakeTraits();
 
-    /// <summary>What a ray sees of it.</summary>
-    /// <returns>False where it is none of the bodies that a ray meets in closed form.</returns>
+    /// <summary>What rays and the searches for a depth see of it.</summary>
+    /// <returns>False where it is none of the bodies that <see cref="FormKind"/> names.</returns>
     bool TryGetForm(out ShapeForm form);
 }
 

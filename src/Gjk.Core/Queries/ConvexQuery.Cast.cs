@@ -17,7 +17,7 @@ public static unsafe partial class ConvexQuery
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>The first fraction at which the closed shapes share a point, the point, and the normal. The fraction is
     /// the true one, rounded to float; along the motion it is exact to 1e-7 of the size or the way, whichever is
-    /// larger. On curved cores (cylinder, cone, ellipsoid, tapered capsule) shapes touch when they are within 1e-9 of
+    /// larger. On curved cores (those that <c>Distance</c> names) shapes touch when they are within 1e-9 of
     /// the size. Shapes that overlap at the start give <see cref="CastStatus.OverlappingAtStart"/> with normal and
     /// depth, those of <c>SignedDistance</c>. Shapes that only touch there, whose signed distance is 0, are a hit at 0
     /// if the motion takes them into each other (curved cores by more than counts as touching), and a miss if they

@@ -27,6 +27,7 @@ internal static class CoreOf
         if (typeof(T) == typeof(BoxShape)) return FormKind.Box;
         if (typeof(T) == typeof(TriangleShape)) return FormKind.Triangle;
 
+        // A TriangleCore, which a mesh gives, is none to unwrap: it is solved as it is, with the same supports.
         // Two capsules of that type have a cheaper support than segments: a sign.
         return (typeof(T) == typeof(CapsuleShape) && typeof(TOther) != typeof(CapsuleShape))
             || typeof(T) == typeof(SegmentShape)

@@ -15,9 +15,10 @@ namespace Gjk.Core;
 /// double.</para>
 /// <para>It terminates because the distance falls strictly from round to round, or the loop hands over, and there are
 /// finitely many features. MaxIterations is a backstop.</para>
-/// <para>Verdicts. Apart: both bounds met. Enclosed: the origin is inside the tetrahedron, or nearer the feature than
-/// rounding can tell. Beyond: a plane is further than asked. Undecided: the caller is to hand over. Contradiction: a
-/// support point was NaN, or lay behind one that the same support had given before.</para>
+/// <para>Verdicts. Apart: both bounds met, or they passed each other by what a support may disagree with itself
+/// (<see cref="GjkTolerances.Contradiction"/>). Enclosed: the origin is inside the tetrahedron, or nearer the feature
+/// than rounding can tell. Beyond: a plane is further than asked. Undecided: the caller is to hand over. Contradiction:
+/// a support point was NaN, or lay further behind one that the same support had given before.</para>
 /// </remarks>
 internal static class GjkDistance
 {

@@ -112,7 +112,8 @@ internal static class Proofs
     public static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
         state.Feature.Height * scale - frame.MarginA - frame.MarginB;
 
-    /// <summary>Whether shapes that are so far apart touch. Every query asks this, so that all of them agree.</summary>
+    /// <summary>Whether shapes that are so far apart touch. Every walk ends with this, so that all queries agree;
+    /// balls, half-spaces and the lanes of <c>WideFinish</c> compare with the same tolerance.</summary>
     /// <param name="state">With the size and the verdict.</param>
     /// <param name="distance">As <see cref="DistanceOf"/> says.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,7 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii
-/// and the distance of the trees' origins, so that all lengths in it are a few units at most.</summary>
+/// <summary>Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii,
+/// the reach (the margins around both trees) and the distance of the trees' origins, so that all lengths in it are a
+/// few units at most.</summary>
 internal struct TreeFrame
 {
     /// <summary>Ratio to the radii and the distance of the origins: 2^-18, 64 units of u = 2^-24. What float's rounding
