@@ -39,7 +39,7 @@ internal readonly struct SceneNearJob(
         {
             Span<DistanceResult> results = stackalloc DistanceResult[end - begin];
             var question = new WideDistances(ref results[0], ref Unsafe.NullRef<WarmStart>(), maxGap);
-            Batch(begin, answered).Ask(end - begin, ref question);
+            Batch(begin, answered).Run(end - begin, ref question);
             for (int i = begin; i < end; i++)
                 if (!answered[i - begin]) answers[i] = results[i - begin].Status;
             return;
@@ -61,7 +61,7 @@ internal readonly struct SceneNearJob(
         if (WideBatch.IsSupported)
         {
             var question = new WideOverlaps(ref answers[begin]);
-            Batch(begin, answered).Ask(end - begin, ref question);
+            Batch(begin, answered).Run(end - begin, ref question);
             return;
         }
 #endif
@@ -156,7 +156,7 @@ internal readonly struct SceneDistanceJob(
                 ref warmStarts.Results[begin], ref warmStarts.Starts[begin], maxDistance);
             ref ObjectPair first = ref CollectionsMarshal.AsSpan(pairs)[begin];
             new WideBatch(objects.Shapes, objects.Poses, ref first, ref warmStarts.Kept[begin])
-                .Ask(end - begin, ref question);
+                .Run(end - begin, ref question);
             return;
         }
 #endif
