@@ -191,12 +191,13 @@ internal struct PairFrame
     /// <summary>The power of two that brings the magnitude to between 1 and 2.</summary>
     public readonly double UnitFactor => Magnitude > 0 ? 1 / PowerOfTwo.AtMost(Magnitude) : 1;
 
-    /// <summary>Measures the shapes whose bounding radii may be generous, by a support in each direction of each
-    /// axis.</summary>
+    /// <summary>Measures the shapes whose bounding radii may be generous, by a support in each direction of each axis.
+    /// What takes a tolerance or a band from the radii begins with it.</summary>
     public void TightenRadii<TA, TB>(ref TA a, ref TB b)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        if (ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight) return;
         if (!ShapeTraits<TA>.AreTight) Tighten(ref a, MarginA, ref RadiusA);
         if (!ShapeTraits<TB>.AreTight) Tighten(ref b, MarginB, ref RadiusB);
         Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + Translation.SumOfMagnitudes;

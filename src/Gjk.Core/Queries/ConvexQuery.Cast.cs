@@ -120,7 +120,9 @@ public static unsafe partial class ConvexQuery
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out CastResult result)
         {
             result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
-            return frame.IsValid && (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
+            if (!frame.IsValid || !(_motion + _translationA).IsFinite || float.IsNaN(_maxFraction)) return false;
+            frame.TightenRadii(ref a, ref b);
+            return true;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]

@@ -111,7 +111,9 @@ public static unsafe partial class ConvexQuery
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out MotionVerdict result)
         {
             result = MotionVerdict.Undecided;
-            return frame.IsValid;
+            if (!frame.IsValid) return false;
+            frame.TightenRadii(ref a, ref b);
+            return true;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]

@@ -206,6 +206,7 @@ public static partial class ConvexQuery
         {
             hit = new() { Status = frame.IsValid ? CastStatus.Miss : CastStatus.InvalidInput };
             if (!frame.IsValid) return false;
+            frame.TightenRadii(ref a, ref b);
             double radius = _line.Ball > 0 ? _line.Ball : frame.RadiusA;
             bool isFar = frame.Translation.LengthSquared > FarOrigin * FarOrigin * radius * radius && radius > 0;
             if (isFar || _line.Ball > 0)

@@ -185,7 +185,7 @@ public static unsafe partial class ConvexQuery
         {
             result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
             if (!frame.IsValid || !IsValid) return false;
-            if (!(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight)) frame.TightenRadii(ref a, ref b);
+            frame.TightenRadii(ref a, ref b);
             PairMotion.Make(_motionA, _motionB, frame, out _motion);
             result = CastResult.Nothing(CastStatus.Miss, _maxFraction, 0);
             if (!_motion.TryReach(frame.Margins, _maxFraction, out _begin, out _end)) return false;

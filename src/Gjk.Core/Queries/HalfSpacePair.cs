@@ -90,7 +90,7 @@ internal struct HalfSpacePair
         Placement? placed = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Instance.PlacementOf(ref other) : null;
         PairFrame.ComposePlaced(ref origin, pose, null, ref core, otherPose, placed, out pair.Frame);
 
-        if (!ShapeTraits<T>.AreTight) pair.Frame.TightenRadii(ref origin, ref other);
+        pair.Frame.TightenRadii(ref origin, ref other);
         HalfSpaceCore plane = halfSpace.AsHalfSpace;
         pair.Normal = plane.Unit;
         pair.PlaneDistance = plane.PlaneDistance;
