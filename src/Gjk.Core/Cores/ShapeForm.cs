@@ -198,7 +198,7 @@ internal struct ShapeForm
 
     /// <summary>Turns the body; the centre is the caller's to place.</summary>
     /// <returns>False where it is turned already.</returns>
-    public bool Place(in QuaternionD turn)
+    public bool Rotate(in QuaternionD turn)
     {
         bool wasPlaced = IsPlaced;
         Turn = turn;

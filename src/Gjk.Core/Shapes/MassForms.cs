@@ -68,7 +68,7 @@ internal static class MassForms
         double left = 1 - sine, level = left * (1 + sine), k = Math.Sqrt(level);
 
         // The integrals of powers of the cosine along the arc.
-        double two = (ArcTangent.Of(k, sine) - sine * k) / 2, four = (3 * two - sine * k * level) / 4;
+        double two = (ArcTangent.Atan2(k, sine) - sine * k) / 2, four = (3 * two - sine * k * level) / 4;
         double three = left * left * (2 + sine) / 3, five = left * left * left * (8 + sine * (9 + sine * 3)) / 15;
         double squared = left * left * (2 + sine * (4 + sine * (6 + sine * 3))) / 15;
         double r = radius, a = from, disc = Math.PI * r;

@@ -129,7 +129,7 @@ public readonly struct TaperedCapsuleShape : ISupportMap, ICurve
         {
             double outward = _excess * cosine / radial;
             onBall = new Double3(outward * d.X, _ball + _excess * sine, outward * d.Z);
-            hasSide = FaceTilt.IsLevelEdge(corners.Seen(onBall - Tip), corners.SeenFrom(direction));
+            hasSide = FaceTilt.IsLevelEdge(corners.ToOuter(onBall - Tip), corners.OuterDirection(direction));
         }
 
         if (hasSide || IsTip(d.Y, length)) corners.Add(Tip, 0);

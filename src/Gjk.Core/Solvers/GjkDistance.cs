@@ -68,7 +68,7 @@ internal static class GjkDistance
             }
             else if (vertices.Winding < 0)
             {
-                vertices.TurnOver();
+                vertices.Flip();
             }
 
             distanceSquared = feature.DistanceSquared;
@@ -84,9 +84,9 @@ internal static class GjkDistance
             int slot = vertices.FreeSlot;
             int ids = MinkowskiDifference.Support(
                 ref a, ref b, frame, feature.Normal, ref state.Simplex.At(slot), out Double3 w);
-            if (state.Matters<TA, TB>(ids))
+            if (state.ChangesTolerances<TA, TB>(ids))
             {
-                state.See(frame, state.Simplex.At(slot));
+                state.Observe(frame, state.Simplex.At(slot));
                 (touchSquared, noise) = (state.TouchSquared, state.Noise);
             }
 
@@ -110,7 +110,7 @@ internal static class GjkDistance
                 return;
             }
 
-            if (trace.IsOn) Tell(state, vertices, frame, ref trace);
+            if (trace.IsOn) TraceReduction(state, vertices, frame, ref trace);
             double before = distanceSquared;
             distanceSquared = feature.DistanceSquared;
             if (distanceSquared > touchSquared & distanceSquared < before & rounds < GjkTolerances.MaxIterations)
@@ -230,7 +230,7 @@ internal static class GjkDistance
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Tell<TTrace>(
+    private static void TraceReduction<TTrace>(
         in SolverState state, FeatureVertices vertices, in PairFrame frame, ref TTrace trace)
         where TTrace : struct, IGjkTrace
     {

@@ -128,9 +128,8 @@ internal static class Proofs
             && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;
     }
 
-    /// <summary>A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can
-    /// still prove what a sign leaves open where the origin lies on a face or an edge, as it does for flush
-    /// boxes.</summary>
+    /// <summary>True if the simplex's nearest point lies within the touch tolerance. Decides flush faces, where the
+    /// signs of determinants are uncertain.</summary>
     private static bool HoldsPointNear(ref SolverState state, double touchSquared)
     {
         state.Weights = ClosestPointWeights.Of(state.Simplex);

@@ -66,14 +66,14 @@ internal readonly struct SceneNearJob(
         {
             Span<DistanceResult> results = stackalloc DistanceResult[end - begin];
             var distances = new WideDistances(ref results[0], ref Unsafe.NullRef<WarmStart>(), maxGap);
-            batch.Ask(end - begin, ref distances);
+            batch.Run(end - begin, ref distances);
             for (int i = begin; i < end; i++)
                 if (!answered[i - begin]) answers[i] = results[i - begin].Status;
             return;
         }
 
         var overlaps = new WideOverlaps(ref answers[begin]);
-        batch.Ask(end - begin, ref overlaps);
+        batch.Run(end - begin, ref overlaps);
     }
 
 #endif
