@@ -4,13 +4,8 @@ using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
-<<<<<<< HEAD
-/// <summary>The results of four walks, as <c>DistanceFinish.Write</c> and <see cref="ClosestPointWeights"/> have them;
-/// lanes that need more than the plain case are left to the scalar query.</summary>
-=======
 /// <summary>The results of four walks: the plain cases of <see cref="DistanceFinish.Write"/> and <see
 /// cref="ClosestPointWeights"/>. All other lanes are left to the scalar query.</summary>
->>>>>>> words
 internal static unsafe class WideFinish
 {
     /// <summary>Finds the points, adds the margins and rounds.</summary>
@@ -114,11 +109,7 @@ internal static unsafe class WideFinish
         return inside;
     }
 
-<<<<<<< HEAD
-    /// <summary>The rest of <c>DistanceFinish.Write</c>.</summary>
-=======
     /// <summary>The points, the bounds and the normals, as <see cref="DistanceFinish.Write"/> has them.</summary>
->>>>>>> words
     private static uint Points(
         in WideBatch batch, int* index, in WidePairs s, in WideVector onA, in WideVector onB, float maxDistance,
         ref WideResults r)

@@ -147,7 +147,7 @@ internal readonly struct SceneDistanceJob(
                 ref warmStarts.Results[begin], ref warmStarts.Starts[begin], maxDistance);
             ref ObjectPair first = ref CollectionsMarshal.AsSpan(pairs)[begin];
             new WideBatch(objects.Shapes, objects.Poses, ref first, ref warmStarts.Kept[begin])
-                .Ask(end - begin, ref question);
+                .Run(end - begin, ref question);
             return;
         }
 #endif
