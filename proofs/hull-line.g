@@ -1,6 +1,6 @@
 # To which side of a line a point lies in the plane of two axes is certain where the two products differ by so much,
 # beside the sum of their magnitudes.
-# constant: PlanarTurn.LineErrorFactor = 8 * 2^-53
+# constant: PlanarOrientation.LineErrorFactor = 8 * 2^-53
 # code: src/Gjk.Core/Hulls/Building/HullPredicates.cs, Turn
 # assumed: the points are floats; the sum of the magnitudes is 1, since nothing here knows a scale
 # control: c = 2b-53;

@@ -11,7 +11,7 @@ internal static class ArcTangent
     /// first. Pinned by ArcTangentTests.</remarks>
     /// <param name="sine">Of any scale, the cosine's.</param>
     /// <param name="cosine">Of the same scale.</param>
-    public static double Of(double sine, double cosine)
+    public static double Atan2(double sine, double cosine)
     {
         double s = Math.Abs(sine), c = Math.Abs(cosine);
         if (!(s + c > 0)) return 0;

@@ -22,7 +22,7 @@ internal static class SineCosine
     /// <param name="angle">Radians, at most <see cref="MaxAngle"/> either way.</param>
     /// <param name="sine">Of the angle.</param>
     /// <param name="cosine">Of the angle.</param>
-    public static void Of(double angle, out double sine, out double cosine)
+    public static void Compute(double angle, out double sine, out double cosine)
     {
         double quarters = Math.Floor(angle * (2 / Math.PI) + 0.5);
         double x = angle - quarters * Quarter1 - quarters * Quarter2 - quarters * Quarter3;

@@ -152,7 +152,7 @@ public static partial class PairBatch
             {
                 var question = new WideOverlaps(ref results[begin]);
                 new WideBatch(shapes, poses, ref pairs[begin], ref Unsafe.NullRef<bool>())
-                    .Ask(end - begin, ref question);
+                    .Run(end - begin, ref question);
                 return;
             }
 #endif
@@ -177,7 +177,7 @@ public static partial class PairBatch
                 if (warmStarts is not null) starts = ref warmStarts[begin];
                 var question = new WideDistances(ref results[begin], ref starts, maxDistance);
                 new WideBatch(shapes, poses, ref pairs[begin], ref Unsafe.NullRef<bool>())
-                    .Ask(end - begin, ref question);
+                    .Run(end - begin, ref question);
                 return;
             }
 #endif

@@ -185,8 +185,8 @@ internal sealed partial class AabbTree
     {
         for (; node != top; node = _parents[node])
         {
-            Turn(node, _nodes[node].Left, _nodes[node].Right);
-            Turn(node, _nodes[node].Right, _nodes[node].Left);
+            Rotate(node, _nodes[node].Left, _nodes[node].Right);
+            Rotate(node, _nodes[node].Right, _nodes[node].Left);
             Enclose(node);
         }
     }
@@ -205,7 +205,7 @@ internal sealed partial class AabbTree
 
     /// <summary>Exchanges a child with one of its sibling's children where that makes the sibling smaller; nothing else
     /// changes its box.</summary>
-    private void Turn(int node, int child, int sibling)
+    private void Rotate(int node, int child, int sibling)
     {
         if (sibling < _leafEnd) return;
         ref AabbNode branch = ref _nodes[sibling];

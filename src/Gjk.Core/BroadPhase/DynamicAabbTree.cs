@@ -108,9 +108,9 @@ public sealed class DynamicAabbTree : IBroadPhase
         bool isMarking = _pairs.Moved.Count <= _table.Count / 2;
         bool areMarked = isMarking && _pairs.KeepMarks(found, margin);
         var near = new NearPairs(
-            _table.Boxes, found.Keys, margin, isMarking, areMarked ? _pairs.Moved.Has : null);
+            _table.Boxes, found.Keys, margin, isMarking, areMarked ? _pairs.Moved.Contains : null);
         _near.Collect(near, found.Count, pairs, workers);
-        _pairs.Note(found, isMarking ? margin : float.NaN, pairs.Count);
+        _pairs.RememberAnswer(found, isMarking ? margin : float.NaN, pairs.Count);
     }
 
     /// <inheritdoc/>

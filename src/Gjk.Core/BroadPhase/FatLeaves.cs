@@ -62,7 +62,7 @@ internal sealed class FatLeaves(BoundsTable table)
     /// ask about objects of their own.</summary>
     public bool Leaves(int id, in Aabb to)
     {
-        if (Unplaced.Has[id] || IsFit(to, Tree.Node(id))) return false;
+        if (Unplaced.Contains[id] || IsFit(to, Tree.Node(id))) return false;
         ref readonly Aabb from = ref table.Boxes[id];
         _steps[id] = Vector3.Max(Vector3.Abs(to.Min - from.Min), Vector3.Abs(to.Max - from.Max));
         return true;

@@ -8,25 +8,25 @@ internal sealed class IdSet
     public int[] Ids = [];
 
     /// <summary>Whether a number is in the set, by number.</summary>
-    public bool[] Has = [];
+    public bool[] Contains = [];
 
     public int Count;
 
     /// <summary>Makes room for the numbers below a capacity.</summary>
     public void Reserve(int capacity)
     {
-        if (Has.Length >= capacity) return;
+        if (Contains.Length >= capacity) return;
         int[] ids = new int[capacity];
         bool[] has = new bool[capacity];
         Array.Copy(Ids, ids, Count);
-        Array.Copy(Has, has, Has.Length);
-        (Ids, Has) = (ids, has);
+        Array.Copy(Contains, has, Contains.Length);
+        (Ids, Contains) = (ids, has);
     }
 
     public void Add(int id)
     {
-        if (Has[id]) return;
-        Has[id] = true;
+        if (Contains[id]) return;
+        Contains[id] = true;
         Ids[Count++] = id;
     }
 
@@ -37,7 +37,7 @@ internal sealed class IdSet
         for (int i = 0; i < Count; i++)
         {
             int id = Ids[i];
-            Has[id] = present[id];
+            Contains[id] = present[id];
             if (present[id]) Ids[kept++] = id;
         }
 
@@ -46,7 +46,7 @@ internal sealed class IdSet
 
     public void Clear()
     {
-        for (int i = 0; i < Count; i++) Has[Ids[i]] = false;
+        for (int i = 0; i < Count; i++) Contains[Ids[i]] = false;
         Count = 0;
     }
 }

@@ -103,14 +103,14 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
     }
 
     /// <summary>Is told for which margin the pairs found are marked now, NaN for none, and how many are near.</summary>
-    public void Note(PairKeys found, float margin, int answer)
+    public void RememberAnswer(PairKeys found, float margin, int answer)
     {
         Moved.Clear();
         _markedMargin = found == _pairs ? margin : float.NaN;
         if (_leastAnswer < 0 || answer <= _leastAnswer || ++_leastAnswerAge > PatienceQuestions)
             (_leastAnswer, _leastAnswerAge) = (answer, 0);
         _lastAnswer = answer;
-        if (found == _pairs && found.Count > PairBudget.Of(table.Count, answer)) _isValid = false;
+        if (found == _pairs && found.Count > PairBudget.LimitFor(table.Count, answer)) _isValid = false;
         if (leaves.Level == FatLevel.Motion || ++_questionsTight < TightQuestions) return;
         leaves.Level++;
         _questionsTight = 0;
@@ -136,7 +136,7 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         _found.Sort(table.End);
 
         // A first question may be an unusual one.
-        if (_found.Count > PairBudget.Of(table.Count, Math.Max(_leastAnswer, 0))) return _found;
+        if (_found.Count > PairBudget.LimitFor(table.Count, Math.Max(_leastAnswer, 0))) return _found;
         (_pairs, _found) = (_found, _pairs);
         _markedMargin = float.NaN;
         _isValid = true;
@@ -154,9 +154,9 @@ internal sealed class KeptPairs(BoundsTable table, FatLeaves leaves)
         if (Unpaired.Count == 0 && !_anyRemoved) return true;
         _isValid = false;
         if (Unpaired.Count > table.Count / UnpairedPartForAll) return false;
-        var lasting = new LastingPairs(leaves, Unpaired.Has, _pairs.Keys);
+        var lasting = new LastingPairs(leaves, Unpaired.Contains, _pairs.Keys);
         int kept = _pairs.Count = _lasting.CopyTo(lasting, _pairs.Count, _pairs.Keys, workers);
-        long most = PairBudget.Of(table.Count, _lastAnswer) - kept;
+        long most = PairBudget.LimitFor(table.Count, _lastAnswer) - kept;
         if (!_search.TryFind(Unpaired, _margin, most, _begun, workers)) return false;
         Unpaired.Clear();
         _begun.Sort(table.End);
@@ -196,7 +196,7 @@ internal sealed class PairBudget(BoundsTable table)
     public int Limit { get; private set; }
 
     /// <summary>How many kept pairs are worth their while beside so many true ones.</summary>
-    public static long Of(int objects, long truePairs) => PairsPerPair * (objects + truePairs);
+    public static long LimitFor(int objects, long truePairs) => PairsPerPair * (objects + truePairs);
 
     /// <summary>A new search.</summary>
     /// <param name="margin">The boxes' pairs are counted with this margin.</param>
@@ -207,7 +207,7 @@ internal sealed class PairBudget(BoundsTable table)
         _isUnlimited = isUnlimited;
         _counted = 0;
         _near = 0;
-        Limit = isUnlimited ? int.MaxValue : (int)Math.Min(Of(table.Count, 0), int.MaxValue);
+        Limit = isUnlimited ? int.MaxValue : (int)Math.Min(LimitFor(table.Count, 0), int.MaxValue);
     }
 
     /// <summary>Looks how many of the pairs found are true ones; if they are enough, the limit rises.</summary>
@@ -220,7 +220,7 @@ internal sealed class PairBudget(BoundsTable table)
             if (BoundsTable.Near(table.Boxes[PairKeys.First(key)], table.Boxes[PairKeys.Second(key)], _margin)) _near++;
         }
 
-        long allowed = Of(table.Count, _near);
+        long allowed = LimitFor(table.Count, _near);
         Limit = (int)Math.Min(allowed, int.MaxValue);
         return found.Count < allowed;
     }

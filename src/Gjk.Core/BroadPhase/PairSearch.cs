@@ -54,7 +54,7 @@ internal sealed class PairSearch(FatLeaves leaves)
             for (int i = begin; i < end && list.Count <= most; i++)
             {
                 int id = objects.Ids[i];
-                if (leaves.IsInTree(id)) visits += leaves.Tree.QueryPairs(id, margin, objects.Has, list);
+                if (leaves.IsInTree(id)) visits += leaves.Tree.QueryPairs(id, margin, objects.Contains, list);
             }
 
             search.Return(list, visits);

@@ -14,9 +14,7 @@ public sealed partial class CompoundShape
         (_firsts, _poses, Numbers) = ([0, numbers.Length], [RigidPose.Identity], numbers);
         _parts = Array.ConvertAll(numbers, i => whole._parts[i]);
         Boxes = Array.ConvertAll(numbers, i => whole.Boxes[i]);
-        Tree = like is null
-            ? PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1)
-            : PartTreeRefit.Fit(Source, like);
+        Tree = TreeLike(like);
         Insides = inside is null ? [] : [new SolidInside(inside, 0, RigidPose.Identity, s_unscaled)];
         Units = inside is null ? [] : [this];
     }

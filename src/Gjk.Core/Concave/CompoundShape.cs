@@ -49,7 +49,7 @@ public sealed partial class CompoundShape
             for (int part = _firsts[i]; part < _firsts[i + 1]; part++)
                 _parts[part] = children[i].Shape.PartAt(part - _firsts[i]).Placed(_poses[i]);
         Boxes = Array.ConvertAll(_parts, BoxOf);
-        Tree = PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1);
+        Tree = TreeLike(null);
         Insides = InsidesOf(children);
         Units = MakeUnits(null);
     }
@@ -69,7 +69,7 @@ public sealed partial class CompoundShape
             }
         }
 
-        Tree = PartTreeRefit.Fit(Source, like.Tree);
+        Tree = TreeLike(like.Tree);
         Insides = Array.ConvertAll(like.Insides, inside => inside.Moved(poses[GetChild(inside.First, out _)]));
         Units = MakeUnits(like);
     }
@@ -80,9 +80,7 @@ public sealed partial class CompoundShape
         (_firsts, _poses, _unscaled, _scale) = (unscaled._firsts, unscaled._poses, unscaled, scale);
         _parts = Array.ConvertAll(unscaled._parts, part => part.Scaled(scale));
         Boxes = Array.ConvertAll(_parts, BoxOf);
-        Tree = like is null
-            ? PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1)
-            : PartTreeRefit.Fit(Source, like.Tree);
+        Tree = TreeLike(like?.Tree);
         Insides = Array.ConvertAll(
             unscaled.Insides, inside => new SolidInside(inside, inside.First, RigidPose.Identity, scale));
         Units = MakeUnits(like);
@@ -176,6 +174,10 @@ public sealed partial class CompoundShape
         min = shape.Center + min - all;
         max = shape.Center + max + all;
     }
+
+    private PartTree TreeLike(PartTree? like) => like is null
+        ? PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1)
+        : PartTreeRefit.Fit(Source, like);
 
     private CompoundShape Moved(RigidPose[] poses) => _unscaled is null
         ? new CompoundShape(this, poses)

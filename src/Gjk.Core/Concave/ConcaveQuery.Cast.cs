@@ -38,7 +38,7 @@ public static partial class ConcaveQuery
         if (!isValid || !TryBegin(a, poseA, b, poseB, scratch)) return InvalidCast;
         var motionA = new RigidMotion(poseA, translationA);
         var motionB = new RigidMotion(poseB, translationB);
-        return Move(scratch, PartMotion.Cast, motionA, motionB, maxFraction, 0, options);
+        return Move(scratch, new PartMotion(MotionKind.Cast, motionA, motionB, maxFraction, 0, options));
     }
 
     /// <summary>When two shapes that move and turn at constant rates first touch, to within a tolerance.</summary>
@@ -67,48 +67,41 @@ public static partial class ConcaveQuery
 
         bool isValid = motionA.IsValid && motionB.IsValid && !float.IsNaN(tolerance);
         if (!isValid || !TryBegin(a, motionA.Pose, b, motionB.Pose, scratch)) return InvalidCast;
-        return Move(scratch, PartMotion.Impact, motionA, motionB, maxFraction, tolerance, options);
+        return Move(scratch, new PartMotion(MotionKind.Impact, motionA, motionB, maxFraction, tolerance, options));
     }
 
     private static CastHit InvalidCast => new(CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
 
-    private static CastHit Move(
-        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance, in CastOptions options, List<CastHit>? all = null)
+    private static CastHit Move(ConcaveScratch scratch, in PartMotion motion, List<CastHit>? all = null)
     {
-        if (float.IsNaN(maxFraction)) return InvalidCast;
-        if (options.PassesShallow)
-            return MoveInUnion(scratch, motion, a, b, maxFraction, tolerance, options, all);
-        CastHit first = First(scratch, motion, a, b, maxFraction, tolerance, options, b.Pose, all);
+        if (float.IsNaN(motion.MaxFraction)) return InvalidCast;
+        if (motion.Options.PassesShallow) return MoveInUnion(scratch, motion, all);
+        CastHit first = First(scratch, motion, motion.B.Pose, all);
         if (all is not null) return default;
-        CastResult found = first.Result;
-        bool isAtStart = found.Status == CastStatus.OverlappingAtStart;
+        bool isAtStart = first.Status == CastStatus.OverlappingAtStart;
         if (!scratch.A.HasInside && !scratch.B.HasInside) return first;
-        if (!isAtStart && TryInside(scratch, a, b, found, out CastHit inside)) first = inside;
+        if (!isAtStart && TryInside(scratch, motion, first.Result, out CastHit inside)) first = inside;
         bool isIn = first.Status == CastStatus.OverlappingAtStart;
         return isIn && SolidExit.TryFind(scratch, out CastHit way) ? way : first;
     }
 
     /// <summary>The first contact of parts that counts, also from where B is lifted to.</summary>
     private static CastHit First(
-        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance, in CastOptions options, in RigidPose lifted, List<CastHit>? all)
+        ConcaveScratch scratch, in PartMotion motion, in RigidPose lifted, List<CastHit>? all)
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
-        search.Begin(scratch, motion, a, b, maxFraction, tolerance, options);
-        if (lifted != b.Pose)
-            search.Lift(lifted, UnionLift.Within(UnionLift.RoundingOf(a.Pose) + UnionLift.RoundingOf(lifted)));
+        search.Begin(scratch, motion);
+        if (lifted != motion.B.Pose) search.Lift(lifted);
         search.AllCasts = all;
-        bool isAdvanced = motion == PartMotion.Impact && search.Speed > 0 && !options.PassesShallow && all is null
-            && !sideA.IsEndless && !sideB.IsEndless;
-        if (isAdvanced) PartAdvancement.Run(scratch, a, b);
-        else if (motion == PartMotion.Cast && search.Speed == 0) StillStart.Run(scratch);
+        bool isAdvanced = motion.Kind == MotionKind.Impact && search.Speed > 0 && !motion.Options.PassesShallow
+            && all is null && !sideA.IsEndless && !sideB.IsEndless;
+        if (isAdvanced) PartAdvancement.Run(scratch, motion);
         else PartCastSearch.Run(scratch);
         search.AllCasts = null;
-        if (all is null) MetTogether.Settle(scratch, a, b);
+        if (all is null) MetTogether.Settle(scratch, motion);
         return search.PartA < 0
-            ? new CastHit(CastResult.Nothing(CastStatus.Miss, Math.Max(maxFraction, 0), 0))
+            ? new CastHit(CastResult.Nothing(CastStatus.Miss, Math.Max(motion.MaxFraction, 0), 0))
             : new CastHit(search.Cast, sideA.NumberOf(search.PartA), sideB.NumberOf(search.PartB), search.Feature);
     }
 
@@ -140,7 +133,7 @@ public static partial class ConcaveQuery
         {
             var motionA = new RigidMotion(poseA, translationA);
             var motionB = new RigidMotion(poseB, translationB);
-            Move(scratch, PartMotion.Cast, motionA, motionB, maxFraction, 0, options, hits);
+            Move(scratch, new PartMotion(MotionKind.Cast, motionA, motionB, maxFraction, 0, options), hits);
         }
 
         InPlaceSort.Sort(hits);
@@ -156,7 +149,7 @@ public static partial class ConcaveQuery
 
     /// <summary>What an inside makes of a motion whose parts do not overlap at the start.</summary>
     private static bool TryInside(
-        ConcaveScratch scratch, in RigidMotion a, in RigidMotion b, in CastResult found, out CastHit inside)
+        ConcaveScratch scratch, in PartMotion motion, in CastResult found, out CastHit inside)
     {
         PartPairSearch.Run(scratch, 0);
         bool isTouching = scratch.Search.PartA >= 0;
@@ -174,8 +167,7 @@ public static partial class ConcaveQuery
         // has edges in a surface may be on both sides of it.
         if (!found.IsHit && found.Status != CastStatus.Miss) return false;
         PartPairSearch touch = scratch.Search;
-        double middle = 0.5 * found.Fraction;
-        Double3 moved = ((Double3)b.Velocity - a.Velocity) * middle;
+        Double3 moved = motion.Way * (0.5 * found.Fraction);
         bool isInside = Containment.IsAnyInside(scratch, moved);
         bool wasInside = (isInside && Containment.IsAnyInside(scratch, default))
             || Containment.IsAnyTouchingInside(scratch, default, out PairDistance met, out Double3 outward);
@@ -185,12 +177,11 @@ public static partial class ConcaveQuery
             (met, outward) = (new PairDistance(default, touch.PartA, touch.PartB), default);
         if (!isInside && !wasInside) return false;
         CastStatus status = wasInside ? CastStatus.OverlappingAtStart : CastStatus.Hit;
-        var way = (Vector3)((Double3)b.Velocity - a.Velocity);
         Vector3 normal = wasInside ? Vector3.Zero : Facing(
             outward != default
                 ? (Vector3)outward
                 : PartQuery.SignedDistance(scratch.A, met.PartA, scratch.B, met.PartB).Normal,
-            way);
+            (Vector3)motion.Way);
         inside = new CastHit(
             new CastResult(status, 0, touch.Best.PointA, normal, 0), scratch.A.NumberOf(met.PartA),
             scratch.B.NumberOf(met.PartB));

@@ -82,9 +82,8 @@ public static partial class ConcaveQuery
     {
         ConvexShape roomA = default, roomB = default;
         DistanceResult found = ConvexQuery.Contacts(
-            scratch.A.Part(System.Math.Max(pair.PartA, 0), ref roomA), scratch.A.Pose,
-            scratch.B.Part(System.Math.Max(pair.PartB, 0), ref roomB), scratch.B.Pose, maxGap,
-            out ContactManifold manifold);
+            scratch.A.Part(pair.PartA, ref roomA), scratch.A.Pose, scratch.B.Part(pair.PartB, ref roomB),
+            scratch.B.Pose, maxGap, out ContactManifold manifold);
         if (manifold.Count == 0) return;
         DeepestPoint.Lead(ref manifold);
         contacts.Add(new PairContacts(pair.PartA, pair.PartB, found, manifold));

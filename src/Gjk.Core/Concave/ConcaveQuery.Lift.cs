@@ -8,80 +8,71 @@ public static partial class ConcaveQuery
     private const double JustInside = 1.0 / (1 << 8);
 
     /// <summary>A motion that passes shallow contacts.</summary>
-    private static CastHit MoveInUnion(
-        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance, in CastOptions options, List<CastHit>? all)
+    private static CastHit MoveInUnion(ConcaveScratch scratch, in PartMotion motion, List<CastHit>? all)
     {
-        var union = new PartsCast(scratch, motion, a, b, maxFraction, tolerance);
-        UnionLift.TryLift(ref union, options, out RigidPose lifted);
-        CastHit first = First(scratch, motion, a, b, maxFraction, tolerance, options, lifted, all);
+        var union = new PartsCast(scratch, motion);
+        UnionLift.TryLift(ref union, motion.Options, out RigidPose lifted);
+        CastHit first = First(scratch, motion, lifted, all);
         if (all is not null) return default;
-        double touch = motion == PartMotion.Impact ? scratch.CastSearch.TouchRoom : 0;
-        CastHit found = UnionLift.OfUnion(ref union, options, lifted, touch, first);
+        double touch = motion.Kind == MotionKind.Impact ? scratch.CastSearch.TouchRoom : 0;
+        CastHit found = UnionLift.OfUnion(ref union, motion.Options, lifted, touch, first);
         PartSide sideA = scratch.A, sideB = scratch.B;
         bool mayEnter = (sideA.HasInside || sideB.HasInside) && sideA.PartCount > 1 && sideB.PartCount > 1;
-        return mayEnter && Enters(scratch, ref union, a, b, options, found, out CastHit met) ? met : found;
+        return mayEnter && Enters(scratch, ref union, motion, found, out CastHit met) ? met : found;
     }
 
     /// <summary>A face that meets one of a solid flush passes it, triangle by triangle, and gets no deeper in any: what
     /// tells is the inside that it is in thereafter.</summary>
     private static bool Enters(
-        ConcaveScratch scratch, ref PartsCast union, in RigidMotion a, in RigidMotion b, in CastOptions options,
-        in CastHit found, out CastHit met)
+        ConcaveScratch scratch, ref PartsCast union, in PartMotion motion, in CastHit found, out CastHit met)
     {
-        met = union.After(0, b.Pose, default);
+        met = union.After(0, motion.B.Pose, default);
         float at = met.Result.Fraction, left = found.Result.Fraction - at;
-        double rate = Math.Abs(Double3.Dot(met.Result.Normal, (Double3)a.Velocity - b.Velocity));
+        double rate = Math.Abs(Double3.Dot(met.Result.Normal, motion.Way)), allowed = motion.Options.AllowedDepth;
         bool mayBe = met.Status == CastStatus.Hit && (found.IsHit || found.Status == CastStatus.Miss);
-        if (!mayBe || !(rate * left > options.AllowedDepth)) return false;
-        double look = Math.Min(scratch.A.Tree.Radius, scratch.B.Tree.Radius) * JustInside + options.AllowedDepth;
+        if (!mayBe || !(rate * left > allowed)) return false;
+        double look = Math.Min(scratch.A.Tree.Radius, scratch.B.Tree.Radius) * JustInside + allowed;
         left = (float)Math.Min(left, 2 * look / rate);
-        RigidMotion fromA = new(PartAdvancement.PoseAt(a, at), a.Velocity, a.AngularVelocity);
-        RigidMotion fromB = new(PartAdvancement.PoseAt(b, at), b.Velocity, b.AngularVelocity);
-        (scratch.A.Pose, scratch.B.Pose) = (fromA.Pose, fromB.Pose);
-        bool enters = TryInside(scratch, fromA, fromB, CastResult.Nothing(CastStatus.Miss, left, 0), out _);
-        (scratch.A.Pose, scratch.B.Pose) = (a.Pose, b.Pose);
+        scratch.A.Pose = PartAdvancement.PoseAt(motion.A, at);
+        scratch.B.Pose = PartAdvancement.PoseAt(motion.B, at);
+        bool enters = TryInside(scratch, motion, CastResult.Nothing(CastStatus.Miss, left, 0), out _);
+        (scratch.A.Pose, scratch.B.Pose) = (motion.A.Pose, motion.B.Pose);
         return enters;
     }
 
     /// <summary>A's parts as a union in which B moves.</summary>
-    private struct PartsCast(
-        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance) : IUnionCast
+    private struct PartsCast(ConcaveScratch scratch, in PartMotion motion) : IUnionCast
     {
-        private readonly RigidMotion _a = a, _b = b;
+        private readonly PartMotion _motion = motion;
 
         public readonly float Sign => 1;
 
-        public readonly RigidPose PoseAt(float fraction) => PartAdvancement.PoseAt(_b, fraction);
+        public readonly RigidPose PoseAt(float fraction) => PartAdvancement.PoseAt(_motion.B, fraction);
 
         public readonly float RoundingAt(float fraction, in RigidPose pose) =>
-            UnionLift.RoundingOf(PartAdvancement.PoseAt(_a, fraction)) + UnionLift.RoundingOf(pose);
+            UnionLift.RoundingOf(PartAdvancement.PoseAt(_motion.A, fraction)) + UnionLift.RoundingOf(pose);
 
         public readonly Double3 WayAt(in Double3 point, float fraction) =>
-            _b.VelocityOf(point, fraction) - _a.VelocityOf(point, fraction);
+            _motion.B.VelocityOf(point, fraction) - _motion.A.VelocityOf(point, fraction);
 
         public readonly CastResult Along(in RigidPose pose, Vector3 way)
         {
             scratch.B.Pose = pose;
-            CastHit start = Move(
-                scratch, PartMotion.Cast, new RigidMotion(_a.Pose, Vector3.Zero), new RigidMotion(pose, way),
-                way == Vector3.Zero ? 0 : 1, 0, default);
-            CastResult found = way == Vector3.Zero ? ShorterWay(scratch, start) : start.Result;
-            scratch.B.Pose = _b.Pose;
+            var still = new RigidMotion(_motion.A.Pose, Vector3.Zero);
+            bool isStill = way == Vector3.Zero;
+            CastHit start = Move(scratch, new PartMotion(
+                MotionKind.Cast, still, new RigidMotion(pose, way), isStill ? 0 : 1, 0, default));
+            CastResult found = isStill ? ShorterWay(scratch, start) : start.Result;
+            scratch.B.Pose = _motion.B.Pose;
             return found;
         }
 
         public readonly CastHit After(float fraction, in RigidPose pose, in CastOptions options)
         {
-            RigidMotion a = new(PartAdvancement.PoseAt(_a, fraction), _a.Velocity, _a.AngularVelocity);
-            RigidMotion b = new(pose, _b.Velocity, _b.AngularVelocity);
-            (scratch.A.Pose, scratch.B.Pose) = (a.Pose, b.Pose);
-            float most = maxFraction - fraction;
-            CastHit found = options.PassesShallow
-                ? First(scratch, motion, a, b, most, tolerance, options, pose, null)
-                : Move(scratch, motion, a, b, most, tolerance, default);
-            (scratch.A.Pose, scratch.B.Pose) = (_a.Pose, _b.Pose);
+            PartMotion rest = _motion.After(fraction, pose, options);
+            (scratch.A.Pose, scratch.B.Pose) = (rest.A.Pose, rest.B.Pose);
+            CastHit found = options.PassesShallow ? First(scratch, rest, pose, null) : Move(scratch, rest);
+            (scratch.A.Pose, scratch.B.Pose) = (_motion.A.Pose, _motion.B.Pose);
             return found;
         }
 
@@ -89,8 +80,8 @@ public static partial class ConcaveQuery
         {
             ConvexShape roomA = default, roomB = default;
             return MetFeatures.AnyIsFace(
-                scratch.A.Part(Math.Max(hit.PartA, 0), ref roomA), PartAdvancement.PoseAt(_a, hit.Fraction),
-                scratch.B.Part(Math.Max(hit.PartB, 0), ref roomB), PoseAt(hit.Fraction), hit.Result.Normal);
+                scratch.A.Part(hit.PartA, ref roomA), PartAdvancement.PoseAt(_motion.A, hit.Fraction),
+                scratch.B.Part(hit.PartB, ref roomB), PoseAt(hit.Fraction), hit.Result.Normal);
         }
     }
 

@@ -43,9 +43,8 @@ public static partial class ConcaveQuery
         {
             PairDistance pair = pairs[i];
             if (!pair.IsOverlapping) continue;
-            int partA = System.Math.Max(pair.PartA, 0), partB = System.Math.Max(pair.PartB, 0);
             pairs[kept++] = new PairDistance(
-                PartQuery.SignedDistance(scratch.A, partA, scratch.B, partB), pair.PartA, pair.PartB);
+                PartQuery.SignedDistance(scratch.A, pair.PartA, scratch.B, pair.PartB), pair.PartA, pair.PartB);
         }
 
         pairs.RemoveRange(kept, pairs.Count - kept);

@@ -187,9 +187,9 @@ public static partial class ConcaveQuery
         bool isRay = Guard.IsFinite(origin) && Guard.IsFinite(direction) && direction != Vector3.Zero
             && !float.IsNaN(maxDistance);
         if (!isRay || !TryBegin(shape, pose, Point, new RigidPose(origin), scratch)) return false;
-        scratch.CastSearch.Begin(
-            scratch, PartMotion.Ray, new RigidMotion(pose, Vector3.Zero),
-            new RigidMotion(new RigidPose(origin), direction), maxDistance, 0, options);
+        scratch.CastSearch.Begin(scratch, new PartMotion(
+            MotionKind.Ray, new RigidMotion(pose, Vector3.Zero), new RigidMotion(new RigidPose(origin), direction),
+            maxDistance, 0, options));
         scratch.CastSearch.Sides = sides;
         return true;
     }

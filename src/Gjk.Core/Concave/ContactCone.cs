@@ -206,7 +206,7 @@ internal readonly ref struct ContactCone
             {
                 Double3 cross = Double3.Cross(after, before);
                 double sine = cross.Length;
-                if (sine > 0) sum += cross * (ArcTangent.Of(sine, Double3.Dot(after, before)) / sine);
+                if (sine > 0) sum += cross * (ArcTangent.Atan2(sine, Double3.Dot(after, before)) / sine);
             }
         }
 

@@ -195,22 +195,16 @@ internal static class ContactPush
 
         // The contact is a face's that is behind what the parts, which are apart, show each other.
         if (pair.Own > Math.Max(pair.Contact.Result.Distance, 0)) return !IsBehind(scratch, pair, by);
-        ConvexShape roomA = default, roomB = default;
-        return TakesApart(
-            scratch.A.Part(Math.Max(pair.PartA, 0), ref roomA), scratch.A.Pose,
-            scratch.B.Part(Math.Max(pair.PartB, 0), ref roomB), scratch.B.Pose, pair.Own, pair.OwnNormal, by);
-    }
+        float own = pair.Own;
 
-    /// <summary>Whether two shapes are apart, or half as deep, when B has been moved.</summary>
-    public static bool TakesApart(
-        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float own, Vector3 ownNormal,
-        Vector3 by)
-    {
         // They come out by no less than their own way is pushed, and by no more than all of the push.
-        if (own + Vector3.Dot(by, ownNormal) > MuchLess * own) return true;
+        if (own + Vector3.Dot(by, pair.OwnNormal) > MuchLess * own) return true;
         if (own + ((Double3)by).Length < MuchLess * own) return false;
-        var moved = new RigidPose(poseB.Rotation, poseB.Position + by);
-        float left = ConvexQuery.SignedDistance(a, poseA, b, moved).Distance;
+        ConvexShape roomA = default, roomB = default;
+        PartSide a = scratch.A, b = scratch.B;
+        float left = ConvexQuery.SignedDistance(
+            a.Part(pair.PartA, ref roomA), a.Pose, b.Part(pair.PartB, ref roomB),
+            new RigidPose(b.Pose.Rotation, b.Pose.Position + by)).Distance;
 
         // What only touches is not apart while it slides.
         return own < 0 ? left >= 0 || left > MuchLess * own : left > 0;

@@ -110,7 +110,7 @@ internal static class Containment
         ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 middle, in Double3 outward,
         in Double3 corner)
     {
-        VectorDD at = VectorDD.Place(inner.Pose, middle);
+        VectorDD at = VectorDD.ToWorld(inner.Pose, middle);
         Double3 inward = outward * (-Behind * ((Double3)at - corner).Length);
         return Holder(scratch, inner, VectorDD.ToFrame(inner.Pose, at + (VectorDD)inward)) is not null
             && IsInside(scratch, outer, inner, middle, inward);
@@ -120,7 +120,7 @@ internal static class Containment
     private static bool IsInside(
         ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 point, in Double3 moved)
     {
-        VectorDD local = VectorDD.ToFrame(outer.Pose, VectorDD.Place(inner.Pose, point) + (VectorDD)moved);
+        VectorDD local = VectorDD.ToFrame(outer.Pose, VectorDD.ToWorld(inner.Pose, point) + (VectorDD)moved);
         for (int i = 0; i < outer.Insides.Length; i++)
         {
             SolidInside inside = outer.Insides[i];
@@ -152,7 +152,7 @@ internal static class Containment
         for (int piece = 0; piece < inner.PieceCount; piece++)
         {
             Double3 point = inner.PointOf(piece, out int first);
-            VectorDD placed = VectorDD.Place(inner.Pose, point), local = VectorDD.ToFrame(outer.Pose, placed);
+            VectorDD placed = VectorDD.ToWorld(inner.Pose, point), local = VectorDD.ToFrame(outer.Pose, placed);
             if (Holder(scratch, outer, local) is not { } inside) continue;
             part = inner.NumberOf(first);
             if (outer.Compound is not null) holder = inside.First;

@@ -1,14 +1,5 @@
 namespace Gjk.Core;
 
-/// <summary>A plane out of which a contact keeps or pushes another body.</summary>
-internal readonly struct OpenPlane(in Double3 foot, in Double3 normal, double depth)
-{
-    public readonly Double3 Foot = foot, Normal = normal;
-
-    /// <summary>How far the other body is behind it; 0 where it is not.</summary>
-    public readonly double Depth = depth;
-}
-
 /// <summary>Where the parts of a body, or static objects, are flush or in each other, a contact with one of them may be
 /// at a side that another one covers: their union does not end there.</summary>
 internal static class CoveredSides
@@ -17,9 +8,8 @@ internal static class CoveredSides
     /// parts whose places are rounded.</summary>
     public const double Room = 4 * ContactCone.Slack;
 
-    /// <summary>Ratio to a place in the world: 2^-22, twice what the positions of two parts that are flush lose in
-    /// float. Without it the seams between objects that are far out are kerbs, as FarTilesTests shows; a quarter is
-    /// enough there.</summary>
+    /// <summary>Ratio to a place: 2^-22, twice what the positions of two flush parts lose in float. Without it seams
+    /// far out are kerbs, as FarTilesTests shows, where a quarter is enough.</summary>
     private const double Rounding = 1.0 / (1 << 22);
 
     /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane, and so far
@@ -42,11 +32,11 @@ internal static class CoveredSides
         new RotationD(pose.Rotation).Rotate(local) + pose.Position;
 
     /// <summary>Adds the plane of a contact, unless one is there already that says the same.</summary>
-    public static void AddPlane(List<OpenPlane> planes, in ContactManifold contact, bool isA, in RigidPose pose)
+    public static void AddPlane(ConcaveScratch scratch, bool isA, in PairContacts one, List<OpenPlane> planes)
     {
-        if (planes.Count == MostPlanes) return;
-        ManifoldPoint deepest = contact[DeepestPoint.Of(contact)];
-        Double3 foot = FootOf(deepest, isA, pose), normal = isA ? contact.Normal : -contact.Normal;
+        ManifoldPoint deepest = one.Manifold[DeepestPoint.Of(one.Manifold)];
+        Double3 foot = FootOf(deepest, isA, scratch.SideOf(one.Pair.A, isA).Pose);
+        Double3 normal = isA ? one.Manifold.Normal : -one.Manifold.Normal;
         Add(planes, new OpenPlane(foot, normal, Math.Max(-deepest.Gap, 0)));
     }
 
@@ -69,23 +59,19 @@ internal static class CoveredSides
     }
 
     /// <summary>Whether a contact is at a side that is covered.</summary>
-    /// <param name="contact">The contact.</param>
-    /// <param name="isA">Whether the side is of A.</param>
-    /// <param name="own">The part that the side is of.</param>
-    /// <param name="pose">Its pose.</param>
-    /// <param name="planes">Of all contacts with the union.</param>
+    /// <param name="contact">Its points.</param>
+    /// <param name="own">The part that has the side.</param>
+    /// <param name="planes">Those of all contacts.</param>
     /// <param name="cover">What may cover it.</param>
-    public static bool IsBuried<T>(
-        in ContactManifold contact, bool isA, in ConvexShape own, in RigidPose pose, List<OpenPlane> planes, T cover)
-        where T : struct, ICover
+    public static bool IsBuried(
+        in ContactManifold contact, in ConvexShape own, List<OpenPlane> planes, in PartsCover cover)
     {
-        Double3 outward = isA ? contact.Normal : -contact.Normal, first = FootOf(contact[0], isA, pose);
+        Double3 outward = cover.IsA ? contact.Normal : -contact.Normal;
         foreach (OpenPlane plane in planes)
         {
-            if (!IsAcross(plane, outward)) continue;
-            bool isBehind = IsBehind(plane, first, outward, own, pose, cover);
-            for (int i = 1; i < contact.Count && isBehind; i++)
-                isBehind = IsBehind(plane, FootOf(contact[i], isA, pose), outward, own, pose, cover);
+            bool isBehind = IsAcross(plane, outward);
+            for (int i = 0; i < contact.Count && isBehind; i++)
+                isBehind = IsBehind(plane, FootOf(contact[i], cover.IsA, cover.Side.Pose), outward, own, cover);
             if (isBehind) return true;
         }
 
@@ -94,15 +80,18 @@ internal static class CoveredSides
 
     /// <summary>Whether the part of a contact, at whose witness the union goes on, is there beyond the plane of another
     /// contact, as a wall is that stands on a floor.</summary>
-    public static bool StandsOn(
-        in Double3 witness, in Double3 outward, in ConvexShape own, in RigidPose pose, List<OpenPlane> planes)
+    /// <param name="own">The part.</param>
+    /// <param name="planes">Those of all contacts.</param>
+    /// <param name="cover">The union around the part.</param>
+    public static bool StandsOn(in ConvexShape own, List<OpenPlane> planes, in PartsCover cover)
     {
+        Double3 witness = cover.Witness;
         foreach (OpenPlane plane in planes)
         {
-            if (!IsAcross(plane, outward)) continue;
+            if (!IsAcross(plane, cover.Outward)) continue;
             Double3 to = plane.Foot - witness;
-            if (Math.Abs(Double3.Dot(plane.Normal, to)) <= RoomOf(witness, to, pose)
-                && ReachesBeyond(plane, witness, outward, own, pose))
+            if (Math.Abs(Double3.Dot(plane.Normal, to)) <= RoomOf(witness, to, cover.Side.Pose)
+                && ReachesBeyond(plane, witness, cover.Outward, own, cover.Side.Pose))
             {
                 return true;
             }
@@ -111,36 +100,47 @@ internal static class CoveredSides
         return false;
     }
 
-    /// <summary>The contact that two parts that overlap have along the way that the union shows where their own is
-    /// covered, if they have points there.</summary>
-    /// <param name="contact">Along their own way.</param>
-    /// <param name="isA">Whether the side is of A.</param>
-    /// <param name="a">The part of A.</param>
-    /// <param name="poseA">Its pose.</param>
-    /// <param name="b">The part of B.</param>
-    /// <param name="poseB">Its pose.</param>
-    /// <param name="maxGap">In world units.</param>
-    /// <param name="way">From the side to the other body, of unit length; 0 where there is none.</param>
+    /// <summary>Gives two parts that overlap the contact along the way that the union shows where their own is covered,
+    /// if they have points there.</summary>
+    /// <inheritdoc cref="TryPoints"/>
     public static bool TryAlong(
-        ref PairContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
-        in RigidPose poseB, float maxGap, in Double3 way)
+        ConcaveScratch scratch, bool isA, ref PairContacts contact, float maxGap, in Double3 way)
     {
+        bool isThere = TryPoints(scratch, isA, contact, maxGap, way, out ContactManifold manifold, out double tip)
+            && tip < 0 && FaceSearch.IsAsDeep(manifold, tip);
+        if (isThere) contact = DeepestPoint.Contact(contact.PartA, contact.PartB, manifold, contact);
+        return isThere;
+    }
+
+    /// <summary>The points of two parts along another way than their own; where there are none, the other part's tip
+    /// if it is over the side's.</summary>
+    /// <param name="scratch">With both bodies.</param>
+    /// <param name="isA">Whether the side is of A.</param>
+    /// <param name="contact">The two parts.</param>
+    /// <param name="maxGap">In world units.</param>
+    /// <param name="way">From the side to the other body, of unit length; or 0, which has no points.</param>
+    /// <param name="manifold">The points.</param>
+    /// <param name="tip">How far the tip is from the side.</param>
+    public static bool TryPoints(
+        ConcaveScratch scratch, bool isA, in PairContacts contact, float maxGap, in Double3 way,
+        out ContactManifold manifold, out double tip)
+    {
+        ConvexShape roomA = default, roomB = default;
+        ref readonly ConvexShape a = ref scratch.A.Part(contact.PartA, ref roomA);
+        ref readonly ConvexShape b = ref scratch.B.Part(contact.PartB, ref roomB);
+        RigidPose poseA = scratch.A.Pose, poseB = scratch.B.Pose;
         ContactPlane plane = default;
-        ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref plane, out ContactManifold manifold);
+        tip = double.PositiveInfinity;
+        ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref plane, out manifold);
+        manifold = default;
         if (way.LengthSquared == 0 || plane.Normal.LengthSquared == 0) return false;
         ConvexQuery.ContactsAlong(a, poseA, b, poseB, isA ? way : -way, maxGap, ref plane, out manifold);
-        ManifoldPoint tip = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
-        if (!(tip.Gap < 0)) return false;
-        if (manifold.Count == 0 && IsOn(isA ? a : b, tip.LocalPointA))
-        {
-            manifold.Begin((Vector3)(isA ? way : -way));
-            manifold.Add(isA ? tip : tip.Swapped);
-        }
-
-        if (manifold.Count == 0 || !FaceSearch.IsAsDeep(manifold, tip.Gap)) return false;
-        DeepestPoint.Lead(ref manifold);
-        contact = new PairContacts(
-            contact.PartA, contact.PartB, DeepestPoint.Result(manifold, contact.Result), manifold, contact.Pair);
+        ManifoldPoint point = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
+        tip = point.Gap;
+        if (manifold.Count > 0) return true;
+        if (!(tip <= Math.Max(maxGap, 0)) || !IsOn(isA ? a : b, point.LocalPointA)) return false;
+        manifold.Begin((Vector3)(isA ? way : -way));
+        manifold.Add(isA ? point : point.Swapped);
         return true;
     }
 
@@ -172,39 +172,34 @@ internal static class CoveredSides
         return new ManifoldPoint((Vector3)foot, (Vector3)tip, local, localTip, (float)gap, 0);
     }
 
-    /// <summary>Whether a part of a body, but not the given one, holds a point of the world and reaches beyond
-    /// it.</summary>
-    public static bool GoesOn(
-        ConcaveScratch scratch, PartSide side, int but, in Double3 inWorld, in Double3 along)
+    /// <summary>Whether a part, but not the given one, holds a point of the world and reaches beyond it.</summary>
+    public static bool GoesOn(ConcaveScratch scratch, PartSide side, int but, in Double3 inWorld, in Double3 along)
     {
-        Double3 point = side.Local(inWorld), direction = side.Turned(along);
-        double rounding = side.Rounding;
+        (Double3 point, Double3 direction, double rounding) = (side.Local(inWorld), side.Turned(along), side.Rounding);
         if (side.Mesh is null && side.Compound is null) return GoesOn(side.Convex(0), point, direction, rounding);
         if (JoinedGrounds.IsInside(scratch, side, inWorld, along)) return true;
-        AnyShape shape = side.Mesh is not null ? AnyShape.Surface(side.Mesh) : AnyShape.Of(side.Compound!);
-        ConcaveScratch near = scratch.Rent();
-        bool goesOn = false;
         ConvexShape room = default;
-        if (shape.PartCount <= FewParts)
+        if (side.PartCount <= FewParts)
         {
-            near.A.TrySet(shape, side.Pose);
-            for (int part = 0; part < shape.PartCount && !goesOn; part++)
+            for (int part = 0; part < side.PartCount; part++)
             {
-                goesOn = part != but && !IsClear(near.A, part, point)
-                    && GoesOn(near.A.Part(part, ref room), point, direction, rounding);
+                if (part == but || IsClear(side, part, point)) continue;
+                if (GoesOn(side.Part(part, ref room), point, direction, rounding)) return true;
             }
+
+            return false;
         }
-        else
+
+        ConcaveScratch near = scratch.Rent();
+        ConcaveQuery.FindPairsWithin(
+            side.Mesh is not null ? AnyShape.Surface(side.Mesh) : AnyShape.Of(side.Compound!), RigidPose.Identity,
+            AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
+            (float)(2 * (Room * (side.Tree.Radius + point.Length) + rounding)), near, near.Pairs);
+        bool goesOn = false;
+        for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
         {
-            double size = shape.Mesh is not null ? shape.Mesh.Tree.Radius : shape.Compound!.Tree.Radius;
-            ConcaveQuery.FindPairsWithin(
-                shape, RigidPose.Identity, AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
-                (float)(2 * (Room * (size + point.Length) + rounding)), near, near.Pairs);
-            for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
-            {
-                int part = near.Pairs[i].PartA;
-                goesOn = part != but && GoesOn(near.A.Part(part, ref room), point, direction, rounding);
-            }
+            int part = near.Pairs[i].PartA;
+            goesOn = part != but && GoesOn(side.Part(part, ref room), point, direction, rounding);
         }
 
         scratch.Return(near);
@@ -239,7 +234,7 @@ internal static class CoveredSides
         return reach.IsBeyond(2 * (Room * (reach.Size + point.SumOfMagnitudes) + side.Rounding));
     }
 
-    /// <summary>Whether a plane is across the direction of a contact: no other one buries it.</summary>
+    /// <summary>Whether a plane is across a contact's direction: no other one buries it.</summary>
     public static bool IsAnyAcross(List<OpenPlane> planes, in Double3 outward)
     {
         foreach (OpenPlane plane in planes)
@@ -250,23 +245,22 @@ internal static class CoveredSides
     private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
         Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
-    public static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
-        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes) + RoundingAt(pose.Position);
-
     /// <summary>World units: by so much rounding moves what is at a place.</summary>
     public static double RoundingAt(in Double3 place) => Rounding * place.SumOfMagnitudes;
 
+    public static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
+        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes) + RoundingAt(pose.Position);
+
     /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and
     /// covered there.</summary>
-    private static bool IsBehind<T>(
-        in OpenPlane plane, in Double3 foot, in Double3 outward, in ConvexShape own, in RigidPose pose, T cover)
-        where T : struct, ICover
+    private static bool IsBehind(
+        in OpenPlane plane, in Double3 foot, in Double3 outward, in ConvexShape own, in PartsCover cover)
     {
         Double3 to = plane.Foot - foot;
-        double behind = Double3.Dot(plane.Normal, to), room = RoomOf(foot, to, pose);
+        double behind = Double3.Dot(plane.Normal, to), room = RoomOf(foot, to, cover.Side.Pose);
         if (!(Math.Abs(behind - plane.Depth / 2) <= plane.Depth / 2 + room)) return false;
         Double3 lifted = foot + plane.Normal * behind;
-        return cover.GoesOn(lifted, outward) && !ReachesBeyond(plane, lifted, outward, own, pose);
+        return cover.GoesOn(lifted, outward) && !ReachesBeyond(plane, lifted, outward, own, cover.Side.Pose);
     }
 
     /// <summary>Whether a part is there beyond a plane, along its normal or along the side that the part shows at a

@@ -30,6 +30,13 @@ internal static class DeepestPoint
             if (i != deepest) manifold.Add(before[i]);
     }
 
+    /// <summary>A contact that has other points than the parts' own one; the deepest leads.</summary>
+    public static PairContacts Contact(int partA, int partB, ContactManifold manifold, in PairContacts own)
+    {
+        Lead(ref manifold);
+        return new PairContacts(partA, partB, Result(manifold, own.Result), manifold, own.Pair);
+    }
+
     /// <summary>It as the result of a query, whose own result is given.</summary>
     public static DistanceResult Result(in ContactManifold manifold, in DistanceResult own)
     {

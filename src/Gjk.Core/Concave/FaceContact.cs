@@ -1,40 +1,39 @@
 namespace Gjk.Core;
 
 /// <summary>A contact that may stand for a pair whose own way out does not show, if the pair needs one.</summary>
-internal readonly struct FaceContact : IComparable<FaceContact>
+/// <param name="contact">What may stand for it.</param>
+/// <param name="own">The pair's contact along its own way.</param>
+/// <param name="isOfA">Whether the contact is along a face of A.</param>
+/// <param name="shortened">See <see cref="Shortened"/>.</param>
+internal readonly struct FaceContact(
+    in PairContacts contact, in PairContacts own, bool isOfA, Vector3 shortened = default) : IComparable<FaceContact>
 {
-    public readonly PairContacts Contact;
+    public readonly PairContacts Contact = contact;
 
     /// <summary>The pair; the contact may name another part, where the other side's tip is.</summary>
-    public readonly int PartA, PartB;
+    public readonly int PartA = own.PartA, PartB = own.PartB;
 
     /// <summary>Whether the contact is along a face of A.</summary>
-    public readonly bool IsOfA;
+    public readonly bool IsOfA = isOfA;
 
     /// <summary>How far the two parts are apart, by their own way; negative where they overlap.</summary>
-    public readonly float Own;
+    public readonly float Own = own.Result.Distance;
 
     /// <summary>That way, from A to B.</summary>
-    public readonly Vector3 OwnNormal;
+    public readonly Vector3 OwnNormal = own.Result.Normal;
 
     /// <summary>The face's normal, from A to B, where the contact is along the pair's own way, as that is much shorter;
     /// else 0.</summary>
-    public readonly Vector3 Shortened;
-
-    public FaceContact(in PairContacts contact, in PairDistance pair, bool isOfA, in DistanceResult own)
-    {
-        Contact = contact;
-        (PartA, PartB, IsOfA) = (pair.PartA, pair.PartB, isOfA);
-        (Own, OwnNormal) = (own.Distance, own.Normal);
-    }
+    public readonly Vector3 Shortened = shortened;
 
     /// <summary>A contact along its pair's own way.</summary>
-    public FaceContact(in PairContacts own, bool isOfA = true, Vector3 shortened = default)
+    public FaceContact(in PairContacts own)
+        : this(own, own, true)
     {
-        Contact = own;
-        (PartA, PartB, IsOfA, Shortened) = (own.PartA, own.PartB, isOfA, shortened);
-        (Own, OwnNormal) = (own.Result.Distance, own.Result.Normal);
     }
+
+    /// <summary>False of a <c>default</c> struct.</summary>
+    public bool IsThere => Contact.Manifold.Count > 0;
 
     /// <summary>The deepest first, and then by the parts.</summary>
     public int CompareTo(FaceContact other)

@@ -2,7 +2,11 @@ namespace Gjk.Core;
 
 /// <summary>What a pair of parts has along the faces of its triangles, where its own way out does not show: the contact
 /// of a face that meets the other body's tip, and a stand-in, for a pair that nothing else holds.</summary>
-internal ref struct FaceSearch
+/// <param name="scratch">With both sides.</param>
+/// <param name="own">The pair's contact along its own way.</param>
+/// <param name="plane">Of that.</param>
+/// <param name="maxGap">In world units.</param>
+internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in ContactPlane plane, float maxGap)
 {
     /// <summary>Cosine: triangles that are so steep to each other do not tell which side of an open one is meant.
     /// More asks for the tips of both sides, which costs time only.</summary>
@@ -20,23 +24,12 @@ internal ref struct FaceSearch
     /// less, more bodies are pushed aslant; TipContactTests has some that 10 pushes too far.</summary>
     private const float FarLonger = 4;
 
-    private readonly ConcaveScratch _scratch;
-    private readonly PairDistance _pair;
-    private readonly DistanceResult _own;
-    private readonly float _maxGap;
-    private readonly ContactPlane _plane;
-    private Candidate _best, _standIn;
+    private readonly PairContacts _own = own;
+    private readonly float _maxGap = Math.Max(maxGap, 0);
+    private readonly ContactPlane _plane = plane;
+    private FaceContact _best, _standIn;
     private double _bestTip;
     private bool _isGhost, _isLed;
-
-    public FaceSearch(
-        ConcaveScratch scratch, in PairDistance pair, in DistanceResult own, in ContactPlane plane, float maxGap)
-    {
-        (_scratch, _pair, _own, _plane, _maxGap) = (scratch, pair, own, plane, Math.Max(maxGap, 0));
-        _best = _standIn = default;
-        _bestTip = 0;
-        _isGhost = _isLed = false;
-    }
 
     /// <summary>Tries the faces of both sides' triangles; where the own way only leans and one side is convex, the one
     /// that leans.</summary>
@@ -47,7 +40,7 @@ internal ref struct FaceSearch
     /// <param name="shapeB">The part of B.</param>
     public void Run(in Double3 normal, ContactFit fitA, ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
     {
-        bool isMeshA = _scratch.A.Mesh is not null, isMeshB = _scratch.B.Mesh is not null;
+        bool isMeshA = scratch.A.Mesh is not null, isMeshB = scratch.B.Mesh is not null;
         _isGhost = fitA == ContactFit.Ghost || fitB == ContactFit.Ghost;
         bool isOne = !_isGhost && !(isMeshA && isMeshB);
         if (isMeshA && (!isOne || fitA >= fitB)) Try(true, normal, fitA, shapeA, shapeB);
@@ -55,33 +48,31 @@ internal ref struct FaceSearch
     }
 
     /// <summary>Puts what was found where it belongs.</summary>
-    /// <param name="own">The contact along the pair's own way.</param>
-    /// <param name="contacts">Gets a contact that is as good as the pair's own.</param>
-    public readonly void Add(in PairContacts own, List<PairContacts> contacts)
+    /// <param name="contacts">Gets it, if it needs no others to be judged.</param>
+    public readonly void Add(List<PairContacts> contacts)
     {
         if (_best.IsThere)
         {
             float depth = _best.Contact.Result.Distance;
-            bool isMuchDeeper = depth < 0 && _own.Distance > depth * ContactPush.MuchLess;
+            bool isMuchDeeper = depth < 0 && _own.Result.Distance > depth * ContactPush.MuchLess;
             if (!_isGhost && !isMuchDeeper) contacts.Add(_best.Contact);
-            else _scratch.FaceContacts.Add(new FaceContact(_best.Contact, _pair, _best.IsOfA, _own));
+            else scratch.FaceContacts.Add(_best);
         }
         else if (_standIn.IsThere)
         {
             // Of a convex part the own way, where the face's is far longer: it leads out, if not straight.
-            PairContacts face = _standIn.Contact;
-            bool isLong = (_standIn.IsOfA ? _scratch.B : _scratch.A).Mesh is null
-                && face.Result.Distance < FarLonger * _own.Distance;
-            _scratch.Orphans.Add(isLong
-                ? new FaceContact(own, _standIn.IsOfA, face.Manifold.Normal)
-                : new FaceContact(face, _pair, _standIn.IsOfA, _own));
+            bool isLong = (_standIn.IsOfA ? scratch.B : scratch.A).Mesh is null
+                && _standIn.Contact.Result.Distance < FarLonger * _own.Result.Distance;
+            scratch.Orphans.Add(isLong
+                ? new FaceContact(_own, _own, _standIn.IsOfA, _standIn.Contact.Manifold.Normal)
+                : _standIn);
         }
     }
 
     private void Try(bool isOfA, in Double3 own, ContactFit fit, in ConvexShape shapeA, in ConvexShape shapeB)
     {
-        PartSide mesh = isOfA ? _scratch.A : _scratch.B, other = isOfA ? _scratch.B : _scratch.A;
-        int triangle = isOfA ? _pair.PartA : _pair.PartB, part = isOfA ? _pair.PartB : _pair.PartA;
+        PartSide mesh = isOfA ? scratch.A : scratch.B, other = isOfA ? scratch.B : scratch.A;
+        int triangle = isOfA ? _own.PartA : _own.PartB, part = isOfA ? _own.PartB : _own.PartA;
         ref readonly ConvexShape shape = ref isOfA ? ref shapeB : ref shapeA;
         Double3 face = ContactCone.NormalOf(mesh, triangle);
         if (face.LengthSquared == 0) return;
@@ -93,10 +84,10 @@ internal ref struct FaceSearch
         TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
         ContactFit tipFit = SeamContacts.Judge(other, part, -world);
         bool isShown = tipFit == ContactFit.Stays
-            && !JoinedGrounds.GoesOn(_scratch, other, part, tip.Placed, -world);
+            && !JoinedGrounds.GoesOn(scratch, other, part, tip.Placed, -world);
         ContactManifold along = Along(isOfA ? world : -world, shapeA, shapeB);
         isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
-        isLed = isLed && led.Gap <= 0 && !JoinedGrounds.GoesOn(_scratch, other, part, led.Placed, -world);
+        isLed = isLed && led.Gap <= 0 && !JoinedGrounds.GoesOn(scratch, other, part, led.Placed, -world);
         if (!isShown && along.Count > 0 && tipFit != ContactFit.Ghost && MayLean(mesh, other, part, shape, world))
         {
             ContactManifold level = Shown(along, other, part, shape.BoundingRadius, isOfA, -world);
@@ -105,19 +96,19 @@ internal ref struct FaceSearch
                 || (other.IsSolid && led.Gap < -2 * _maxGap));
             if (level.Count > 0 && !isDeeper)
             {
-                Offer(_pair.PartA, _pair.PartB, level, isOfA, led.Gap);
-                if (_own.Distance < 0) StandIn(_pair.PartA, _pair.PartB, level, isOfA, false);
+                Offer(_own.PartA, _own.PartB, level, isOfA, led.Gap);
+                if (_own.Result.Distance < 0) StandIn(_own.PartA, _own.PartB, level, isOfA, false);
                 return;
             }
         }
 
         if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
         int ledA = isOfA ? triangle : corner / 3, ledB = isOfA ? corner / 3 : triangle;
-        if (isShown && along.Count > 0) Offer(_pair.PartA, _pair.PartB, along, isOfA, tip.Gap);
+        if (isShown && along.Count > 0) Offer(_own.PartA, _own.PartB, along, isOfA, tip.Gap);
         else if (isLed && !isShown && led.IsOver) Offer(ledA, ledB, led.Manifold(isOfA), isOfA, led.Gap);
-        if (_own.Distance >= 0) return;
+        if (_own.Result.Distance >= 0) return;
         if (isLed && other.IsSolid) StandIn(ledA, ledB, led.Manifold(isOfA), isOfA, true);
-        else StandIn(_pair.PartA, _pair.PartB, along.Count > 0 ? along : tip.Manifold(isOfA), isOfA, false);
+        else StandIn(_own.PartA, _own.PartB, along.Count > 0 ? along : tip.Manifold(isOfA), isOfA, false);
     }
 
     /// <summary>Whether the points of a mesh's part are as deep as its tip: only the tip is known to be shown along the
@@ -136,7 +127,7 @@ internal ref struct FaceSearch
         if (_plane.Normal.LengthSquared == 0) return manifold;
         ContactPlane plane = _plane;
         ConvexQuery.ContactsAlong(
-            shapeA, _scratch.A.Pose, shapeB, _scratch.B.Pose, direction, _maxGap, ref plane, out manifold);
+            shapeA, scratch.A.Pose, shapeB, scratch.B.Pose, direction, _maxGap, ref plane, out manifold);
         return manifold;
     }
 
@@ -161,7 +152,7 @@ internal ref struct FaceSearch
         {
             Double3 foot = CoveredSides.FootOf(along[i], !isOfA, other.Pose);
             Double3 beyond = FlushSides.JustBeyond(foot, outward, size);
-            if (!JoinedGrounds.GoesOn(_scratch, other, part, beyond, outward)) shown.Add(along[i]);
+            if (!JoinedGrounds.GoesOn(scratch, other, part, beyond, outward)) shown.Add(along[i]);
         }
 
         return shown;
@@ -204,33 +195,19 @@ internal ref struct FaceSearch
     /// than their gap may be.</summary>
     private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA, double tip)
     {
-        PairContacts made = Made(partA, partB, manifold);
+        PairContacts made = DeepestPoint.Contact(partA, partB, manifold, _own);
         double least = -2 * _maxGap - ContactCone.Slack * DeepestPoint.PlaceOf(made.Result);
-        if (_own.Distance > 0 && made.Result.Distance < least) return;
+        if (_own.Result.Distance > 0 && made.Result.Distance < least) return;
         if (_best.IsThere && _bestTip >= tip) return;
-        (_best, _bestTip) = (new(made, isOfA), tip);
+        (_best, _bestTip) = (new(made, _own, isOfA), tip);
     }
 
     /// <summary>Takes a corner to which the other side climbs before other tips, and then the shallowest.</summary>
     private void StandIn(int partA, int partB, in ContactManifold manifold, bool isOfA, bool isLed)
     {
-        PairContacts made = Made(partA, partB, manifold);
+        PairContacts made = DeepestPoint.Contact(partA, partB, manifold, _own);
         if (!(made.Result.Distance < 0) || (_isLed && !isLed)) return;
         if (_standIn.IsThere && _isLed == isLed && _standIn.Contact.Result.Distance >= made.Result.Distance) return;
-        (_standIn, _isLed) = (new(made, isOfA), isLed);
-    }
-
-    private readonly PairContacts Made(int partA, int partB, ContactManifold manifold)
-    {
-        DeepestPoint.Lead(ref manifold);
-        return new(partA, partB, DeepestPoint.Result(manifold, _own), manifold, _pair.Pair);
-    }
-
-    private readonly struct Candidate(in PairContacts contact, bool isOfA)
-    {
-        public readonly PairContacts Contact = contact;
-        public readonly bool IsOfA = isOfA;
-
-        public bool IsThere => Contact.Manifold.Count > 0;
+        (_standIn, _isLed) = (new(made, _own, isOfA), isLed);
     }
 }

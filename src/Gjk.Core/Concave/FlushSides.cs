@@ -30,91 +30,72 @@ internal static class FlushSides
 
     /// <summary>Adds the plane in which the union ends where it goes on from a witness, if all of it ends
     /// there.</summary>
-    public static void AddEnd<T>(
-        List<OpenPlane> ends, in Double3 witness, in Double3 outward, in ConvexShape own, in RigidPose pose, T cover)
-        where T : struct, ICover
+    public static void AddEnd(List<OpenPlane> ends, in PartsCover cover)
     {
-        OpenPlane end = cover.EndNear(witness, outward);
-        if (!(Double3.Dot(end.Normal, outward) > Steepest)) return;
-        RotationD turn = new(pose.Rotation);
-        bool goesOn = cover.GoesOn(end.Foot, end.Normal)
-            || CoveredSides.GoesOn(
-                own, turn.InverseRotate(end.Foot - pose.Position), turn.InverseRotate(end.Normal),
-                CoveredSides.RoundingAt(pose.Position));
+        OpenPlane end = cover.EndNear();
+        if (!(Double3.Dot(end.Normal, cover.Outward) > Steepest)) return;
+        ConvexShape room = default;
+        bool goesOn = cover.GoesOn(end.Foot, end.Normal) || CoveredSides.GoesOn(
+            cover.Part(ref room), cover.Side.Local(end.Foot), cover.Side.Turned(end.Normal), cover.Side.Rounding);
         if (!goesOn) CoveredSides.Add(ends, end);
     }
 
-    /// <summary>The contact of two parts along a plane in which one of them ends with what is flush with it: of all
-    /// such planes the one along which they are least deep.</summary>
-    /// <param name="contact">Along their own way, which leads to where the union goes on.</param>
-    /// <param name="isA">Whether the side is of A.</param>
-    /// <param name="a">The part of A.</param>
-    /// <param name="poseA">Its pose.</param>
-    /// <param name="b">The part of B.</param>
-    /// <param name="poseB">Its pose.</param>
-    /// <param name="maxGap">In world units.</param>
-    /// <param name="planes">In which the union ends.</param>
-    /// <param name="cover">The union's other parts.</param>
-    public static bool TryFlush<T>(
-        ref PairContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
-        in RigidPose poseB, float maxGap, List<OpenPlane> planes, T cover)
-        where T : struct, ICover
+    /// <summary>Gives a contact at a joint, whose way leads to where the union goes on, the direction in which the body
+    /// ends there: where the other body is the larger one and shows a face, that face's; else of all planes in which
+    /// the part ends with what is flush with it, the one along which the two are least deep.</summary>
+    public static bool TryFlush(ConcaveScratch scratch, bool isA, ref PairContacts one, float maxGap)
     {
-        ref readonly ConvexShape own = ref isA ? ref a : ref b;
-        RigidPose pose = isA ? poseA : poseB;
-        PairContacts best = contact;
-        Double3 outward = isA ? contact.Manifold.Normal : -contact.Manifold.Normal;
-        bool isAny = false;
-        foreach (OpenPlane plane in planes)
+        PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
+        int other = one.PartOf(!isA);
+        ConvexShape room = default, otherRoom = default;
+        var cover = new PartsCover(scratch, isA, one);
+        ref readonly ConvexShape own = ref cover.Part(ref room);
+        ref readonly ConvexShape shape = ref otherSide.Part(other, ref otherRoom);
+        Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
+        if (otherSide.RadiusWith(shape) > side.RadiusWith(own))
+        {
+            Double3 face = FaceAgainst(otherSide, other, shape, outward);
+            if (face.LengthSquared > 0) return TryAlong(scratch, ref one, maxGap, face, cover);
+            if (!otherSide.IsConvex) return false;
+        }
+
+        PairContacts best = default;
+        foreach (OpenPlane plane in scratch.Ends)
         {
             bool isOther = Double3.Dot(plane.Normal, outward) >= -CoveredSides.Room
                 && (plane.Normal - outward).SumOfMagnitudes > CoveredSides.Room;
-            if (!isOther || !IsFlush(own, pose, plane)) continue;
-            PairContacts found = contact;
-            bool isThere = TryAlong(ref found, isA, a, poseA, b, poseB, maxGap, plane.Normal, cover);
-            if (!isThere || (isAny && found.Result.Distance <= best.Result.Distance)) continue;
-            (best, isAny) = (found, true);
+            if (!isOther || !IsFlush(own, side.Pose, plane)) continue;
+            PairContacts found = one;
+            bool isThere = TryAlong(scratch, ref found, maxGap, plane.Normal, cover);
+            if (isThere && (best.Manifold.Count == 0 || found.Result.Distance > best.Result.Distance)) best = found;
         }
 
-        contact = best;
-        return isAny;
+        Double3 normal = best.Manifold.Normal;
+        bool isFlush = best.Manifold.Count > 0
+            && SeamContacts.Judge(otherSide, other, isA ? -normal : normal) != ContactFit.Ghost;
+        if (isFlush) one = best;
+        return isFlush;
     }
 
     /// <summary>The contact of two parts along a way, with the points where the union ends just beyond them.</summary>
-    /// <param name="contact">Along their own way.</param>
-    /// <param name="isA">Whether the side is of A.</param>
-    /// <param name="a">The part of A.</param>
-    /// <param name="poseA">Its pose.</param>
-    /// <param name="b">The part of B.</param>
-    /// <param name="poseB">Its pose.</param>
-    /// <param name="maxGap">In world units.</param>
-    /// <param name="way">From the side to the other body, of unit length.</param>
-    /// <param name="cover">The union's other parts.</param>
-    public static bool TryAlong<T>(
-        ref PairContacts contact, bool isA, in ConvexShape a, in RigidPose poseA, in ConvexShape b,
-        in RigidPose poseB, float maxGap, in Double3 way, T cover)
-        where T : struct, ICover
+    private static bool TryAlong(
+        ConcaveScratch scratch, ref PairContacts contact, float maxGap, in Double3 way, in PartsCover cover)
     {
-        ContactPlane plane = default;
-        ConvexQuery.Contacts(a, poseA, b, poseB, maxGap, ref plane, out ContactManifold manifold);
-        if (plane.Normal.LengthSquared == 0) return false;
-        ConvexQuery.ContactsAlong(a, poseA, b, poseB, isA ? way : -way, maxGap, ref plane, out manifold);
-        ManifoldPoint tip = isA ? CoveredSides.Tip(a, poseA, b, poseB, way) : CoveredSides.Tip(b, poseB, a, poseA, way);
-        if (manifold.Count == 0 && tip.Gap <= Math.Max(maxGap, 0) && CoveredSides.IsOn(isA ? a : b, tip.LocalPointA))
-            manifold.Add(isA ? tip : tip.Swapped);
+        bool isA = cover.IsA;
+        if (!CoveredSides.TryPoints(scratch, isA, contact, maxGap, way, out ContactManifold manifold, out _))
+            return false;
+        ConvexShape room = default;
+        double size = cover.Part(ref room).BoundingRadius;
         ContactManifold shown = default;
         shown.Begin((Vector3)(isA ? way : -way));
-        RigidPose pose = isA ? poseA : poseB;
         for (int i = 0; i < manifold.Count; i++)
         {
-            Double3 foot = CoveredSides.FootOf(manifold[i], isA, pose);
-            if (!cover.GoesOn(JustBeyond(foot, way, (isA ? a : b).BoundingRadius), way)) shown.Add(manifold[i]);
+            Double3 foot = CoveredSides.FootOf(manifold[i], isA, cover.Side.Pose);
+            if (!cover.GoesOn(JustBeyond(foot, way, size), way)) shown.Add(manifold[i]);
         }
 
         if (shown.Count == 0) return false;
-        DeepestPoint.Lead(ref shown);
-        contact = new PairContacts(
-            contact.PartA, contact.PartB, DeepestPoint.Result(shown, contact.Result), shown, contact.Pair);
+        contact = DeepestPoint.Contact(contact.PartA, contact.PartB, shown, contact);
         return true;
     }
 
@@ -133,36 +114,6 @@ internal static class FlushSides
         Double3 top = turn.Rotate(own.Center + most) + pose.Position + plane.Normal * own.Margin;
         Double3 to = top - plane.Foot;
         return Math.Abs(Double3.Dot(to, plane.Normal)) <= CoveredSides.RoomOf(plane.Foot, to, pose);
-    }
-
-    /// <summary>Gives a contact at a joint the direction in which the body ends there; where the other body is the
-    /// larger one and shows a face, that face's.</summary>
-    public static bool TryFlush(ConcaveScratch scratch, bool isA, ref PairContacts one, float maxGap)
-    {
-        PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
-        ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape a = ref scratch.A.Part(Math.Max(one.PartA, 0), ref roomA);
-        ref readonly ConvexShape b = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
-        var cover = new PartsCover(scratch, isA, one);
-        int other = isA ? one.PartB : one.PartA;
-        Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
-        if (otherSide.RadiusWith(isA ? b : a) > side.RadiusWith(isA ? a : b))
-        {
-            Double3 face = FaceAgainst(otherSide, other, isA ? b : a, outward);
-            if (face.LengthSquared > 0 || !otherSide.IsConvex)
-            {
-                return face.LengthSquared > 0 && TryAlong(
-                    ref one, isA, a, scratch.A.Pose, b, scratch.B.Pose, maxGap, face, cover);
-            }
-        }
-
-        PairContacts flush = one;
-        bool isThere = TryFlush(
-            ref flush, isA, a, scratch.A.Pose, b, scratch.B.Pose, maxGap, scratch.Ends, cover);
-        Double3 normal = flush.Manifold.Normal;
-        if (!isThere || SeamContacts.Judge(otherSide, other, isA ? -normal : normal) == ContactFit.Ghost) return false;
-        one = flush;
-        return true;
     }
 
     /// <summary>The direction against the face that a part shows to a direction, if that is near; else 0.</summary>

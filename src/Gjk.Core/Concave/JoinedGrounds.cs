@@ -4,13 +4,6 @@ namespace Gjk.Core;
 /// parts are joined as those of a compound.</summary>
 internal static class JoinedGrounds
 {
-    /// <summary>Before the grounds of a body, which is B.</summary>
-    public static void Begin(ConcaveScratch scratch, in AnyShape body, in RigidPose pose)
-    {
-        scratch.B.TrySet(body, pose);
-        scratch.Pairs.Clear();
-    }
-
     /// <summary>Adds a static object, unless it is further away than a gap.</summary>
     public static void Add(
         ConcaveScratch scratch, in AnyShape shape, in RigidPose pose, in Aabb box, int name, float maxGap)
@@ -30,15 +23,13 @@ internal static class JoinedGrounds
         scratch.GroundCount++;
     }
 
-    /// <summary>Finds the contacts of the body with all of them; none where they are fewer than two, which are
-    /// not joined.</summary>
-    /// <param name="scratch">With the grounds.</param>
+    /// <summary>Finds the contacts of the body with all of them.</summary>
+    /// <param name="scratch">With the grounds, at least one.</param>
     /// <param name="maxGap">In world units.</param>
     /// <param name="contacts">Cleared, then the contacts; A of a pair is the ground's number in the scratch.</param>
     public static void FindContacts(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
         contacts.Clear();
-        if (scratch.GroundCount < 2) return;
         PartSide own = scratch.A;
         scratch.A = scratch.Grounds[0];
         ConcaveQuery.FindOfPairs(scratch, maxGap, contacts);

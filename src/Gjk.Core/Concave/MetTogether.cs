@@ -15,14 +15,14 @@ internal static class MetTogether
 
     /// <summary>Gives the last search the contact whose normal separates the pairs that are met at its point: of
     /// several the best feature, then the least numbers.</summary>
-    public static void Settle(ConcaveScratch scratch, in RigidMotion a, in RigidMotion b)
+    public static void Settle(ConcaveScratch scratch, in PartMotion motion)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
         List<CastHit> met = scratch.Met;
         if (search.PartA < 0 || search.Cast.Status != CastStatus.Hit || met.Count < 2) return;
         InPlaceSort.Sort(met);
-        RotationD rotationA = new(PartAdvancement.PoseAt(a, search.Cast.Fraction).Rotation);
-        RotationD rotationB = new(PartAdvancement.PoseAt(b, search.Cast.Fraction).Rotation);
+        RotationD rotationA = new(PartAdvancement.PoseAt(motion.A, search.Cast.Fraction).Rotation);
+        RotationD rotationB = new(PartAdvancement.PoseAt(motion.B, search.Cast.Fraction).Rotation);
         for (int i = 0; i < Math.Min(met.Count, MostTries); i++)
         {
             CastHit hit = met[i];

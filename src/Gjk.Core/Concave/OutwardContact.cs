@@ -5,22 +5,20 @@ namespace Gjk.Core;
 internal static class OutwardContact
 {
     /// <summary>Takes the contact of two parts, if it pushes into a solid.</summary>
+    /// <param name="scratch">Gets what may stand for it.</param>
+    /// <param name="own">The contact.</param>
+    /// <param name="normal">Its normal, not rounded.</param>
+    /// <param name="maxGap">In world units.</param>
     /// <returns>False where it pushes outward, or is of no solid's triangle.</returns>
-    public static bool TryReplace(
-        ConcaveScratch scratch, in PairContacts own, in PairDistance pair, in Double3 normal, in ConvexShape shapeA,
-        in ConvexShape shapeB, float maxGap)
+    public static bool TryReplace(ConcaveScratch scratch, in PairContacts own, in Double3 normal, float maxGap)
     {
         bool isOfA = IsInward(scratch.A, own.PartA, normal, out Double3 outward);
         if (!isOfA && !IsInward(scratch.B, own.PartB, -normal, out outward)) return false;
         PairContacts held = own;
 
         // What is apart from a triangle and behind it touches nothing there.
-        if (own.Result.Distance <= 0
-            && CoveredSides.TryAlong(ref held, isOfA, shapeA, scratch.A.Pose, shapeB, scratch.B.Pose, maxGap, outward))
-        {
-            scratch.FaceContacts.Add(new FaceContact(held, pair, isOfA, own.Result));
-        }
-
+        if (own.Result.Distance <= 0 && CoveredSides.TryAlong(scratch, isOfA, ref held, maxGap, outward))
+            scratch.FaceContacts.Add(new FaceContact(held, own, isOfA));
         return true;
     }
 

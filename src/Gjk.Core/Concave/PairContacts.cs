@@ -30,6 +30,9 @@ public readonly struct PairContacts : IComparable<PairContacts>
         Manifold = manifold;
     }
 
+    /// <summary>The part of A, or else that of B.</summary>
+    internal int PartOf(bool isA) => isA ? PartA : PartB;
+
     /// <summary>The same with two objects of a scene.</summary>
     internal PairContacts Of(ObjectPair pair) => new(PartA, PartB, Result, Manifold, pair);
 

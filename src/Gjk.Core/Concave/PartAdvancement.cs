@@ -34,7 +34,7 @@ internal static class PartAdvancement
 
     /// <summary>Finds the first contact of the search that the scratch holds, of an impact that passes
     /// nothing.</summary>
-    public static void Run(ConcaveScratch scratch, in RigidMotion a, in RigidMotion b)
+    public static void Run(ConcaveScratch scratch, in PartMotion motion)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
         PartSide sideA = scratch.A, sideB = scratch.B;
@@ -43,10 +43,10 @@ internal static class PartAdvancement
         PartWarmStart nearest = default;
         for (search.Steps = 0; from <= search.Last; search.Steps++)
         {
-            bool isPosed = TryPoseAt(a, from, out sideA.Pose) & TryPoseAt(b, from, out sideB.Pose);
+            bool isPosed = TryPoseAt(motion.A, from, out sideA.Pose) & TryPoseAt(motion.B, from, out sideB.Pose);
             if (!isPosed || search.Steps >= MostSteps)
             {
-                if (!isPosed) (sideA.Pose, sideB.Pose, from) = (a.Pose, b.Pose, 0);
+                if (!isPosed) (sideA.Pose, sideB.Pose, from) = (motion.A.Pose, motion.B.Pose, 0);
                 search.Look(scratch, from, double.PositiveInfinity, isPosed ? RoundingOf(sideA, sideB) : 0);
                 PartCastSearch.Run(scratch);
                 break;
@@ -74,8 +74,8 @@ internal static class PartAdvancement
             else if (asked * free > LooksPerDistance * span) span /= 2;
         }
 
-        sideA.Pose = a.Pose;
-        sideB.Pose = b.Pose;
+        sideA.Pose = motion.A.Pose;
+        sideB.Pose = motion.B.Pose;
     }
 
     /// <summary>The furthest point of a side from its position, or more.</summary>

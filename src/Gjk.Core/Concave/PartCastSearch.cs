@@ -31,12 +31,10 @@ internal struct PartCastSearch
     private const double WayError = 1.0 / (1L << 40);
 
     private PartMotion _motion;
-    private RigidMotion _a, _b;
-    private CastOptions _options;
     private TreeFrame _frame;
     private Vector3 _wayInA, _wayInB;
     private double _length, _maxFraction, _from, _to, _margins;
-    private float _reached, _room, _tolerance;
+    private float _reached, _room;
 
     /// <summary>The best so far, by the fraction of the whole motion, or a ray's distance.</summary>
     private ContactOrder _best;
@@ -78,31 +76,23 @@ internal struct PartCastSearch
     public readonly double Last => Math.Min(_maxFraction, _best.Solved);
 
     /// <summary>World units: parts of an impact that are further apart do not touch.</summary>
-    public readonly double TouchRoom => Math.Max(Math.Min(_tolerance, MostRoom * Size), ImpactRoom * Size) * Beyond;
+    public readonly double TouchRoom =>
+        Math.Max(Math.Min(_motion.Tolerance, MostRoom * Size), ImpactRoom * Size) * Beyond;
 
     private readonly double Size => (_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins;
 
     /// <summary>Prepares a search.</summary>
-    /// <param name="scratch">With both sides set.</param>
-    /// <param name="motion">What is asked.</param>
-    /// <param name="a">A's motion; its pose is the side's.</param>
-    /// <param name="b">B's motion; of a ray its direction.</param>
-    /// <param name="maxFraction">Of the motion; of a ray the largest distance.</param>
-    /// <param name="tolerance">Of an impact.</param>
-    /// <param name="options">Which contacts are passed.</param>
-    public void Begin(
-        ConcaveScratch scratch, PartMotion motion, in RigidMotion a, in RigidMotion b, float maxFraction,
-        float tolerance, in CastOptions options)
+    public void Begin(ConcaveScratch scratch, in PartMotion motion)
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
-        (_motion, _a, _b, _options, _tolerance) = (motion, a, b, options, tolerance);
-        _maxFraction = Math.Max(maxFraction, 0);
+        _motion = motion;
+        _maxFraction = Math.Max(motion.MaxFraction, 0);
         _margins = sideA.Margin + sideB.Margin;
         (_from, _to) = (0, double.PositiveInfinity);
         Place(scratch, 0);
-        Double3 way = (Double3)b.Velocity - a.Velocity;
-        _length = motion == PartMotion.Impact
-            ? way.Length + Spin(sideA, a.AngularVelocity) + Spin(sideB, b.AngularVelocity)
+        Double3 way = motion.Way;
+        _length = motion.Kind == MotionKind.Impact
+            ? way.Length + Spin(sideA, motion.A.AngularVelocity) + Spin(sideB, motion.B.AngularVelocity)
             : Length(way);
         Double3 unit = _length > 0 ? way * (1 / _length) : default;
         Double3 inA = _frame.RotationA.InverseRotate(unit);
@@ -116,13 +106,11 @@ internal struct PartCastSearch
     }
 
     /// <summary>Passes also what B does not get deeper into if it begins elsewhere.</summary>
-    /// <param name="pose">Of B, where it is out of what it overlaps.</param>
-    /// <param name="options">Which contacts are passed from there.</param>
-    public void Lift(in RigidPose pose, in CastOptions options)
+    public void Lift(in RigidPose pose)
     {
         _isLifted = true;
-        _lifted = new RigidMotion(pose, _b.Velocity, _b.AngularVelocity);
-        _liftedOptions = options;
+        _lifted = new RigidMotion(pose, _motion.B.Velocity, _motion.B.AngularVelocity);
+        _liftedOptions = UnionLift.Within(UnionLift.RoundingOf(_motion.A.Pose) + UnionLift.RoundingOf(pose));
     }
 
     /// <summary>Looks at a piece of the motion only, of parts that do not touch before it.</summary>
@@ -148,6 +136,15 @@ internal struct PartCastSearch
     public static unsafe void Run(ConcaveScratch scratch)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
+        if (search._motion.Kind == MotionKind.Cast && search._length == 0)
+        {
+            // Parts that share no point at the start never meet.
+            PartPairSearch.Collect(scratch, 0, scratch.Pairs);
+            foreach (PairDistance pair in scratch.Pairs)
+                search.Ask(scratch, Math.Max(pair.PartA, 0), Math.Max(pair.PartB, 0));
+            return;
+        }
+
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
@@ -191,10 +188,10 @@ internal struct PartCastSearch
     private void SetReached(double fraction)
     {
         double along = Math.Min(fraction, _to) - _from;
-        double length = _motion == PartMotion.Ray ? 1 : _length;
+        double length = _motion.Kind == MotionKind.Ray ? 1 : _length;
         double way = length > 0 ? along * length * Beyond / _frame.Unit : 0;
-        if (_motion == PartMotion.Impact) way += _room + TouchRoom / _frame.Unit;
-        _reached = _motion == PartMotion.Impact ? BoxLanes.Squared(way) : BoxLanes.AtMost(way * Beyond);
+        if (_motion.Kind == MotionKind.Impact) way += _room + TouchRoom / _frame.Unit;
+        _reached = _motion.Kind == MotionKind.Impact ? BoxLanes.Squared(way) : BoxLanes.AtMost(way * Beyond);
     }
 
     private readonly unsafe bool Bounds(
@@ -202,7 +199,7 @@ internal struct PartCastSearch
     {
         bool isA = _frame.Open(
             boxesA, a, childA, boxesB, b, childB, out float* node, out float factor, out TurnedBox other);
-        if (_motion == PartMotion.Impact) BoxLanes.DistanceSquared(node, factor, other, _frame.Room, bounds);
+        if (_motion.Kind == MotionKind.Impact) BoxLanes.DistanceSquared(node, factor, other, _frame.Room, bounds);
         else BoxLanes.Entries(node, factor, other, isA ? _wayInA : _wayInB, _room, bounds);
         return isA;
     }
@@ -223,35 +220,36 @@ internal struct PartCastSearch
         ref readonly ConvexShape a = ref scratch.A.Part(partA, ref roomA);
 
         // What is passed depends on the whole way, and so does where an impact's steps end.
-        bool isWhole = PartA < 0 || AllCasts is not null || _options.PassesShallow || _motion == PartMotion.Impact;
-        double error = _motion == PartMotion.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0;
+        bool isImpact = _motion.Kind == MotionKind.Impact;
+        bool isWhole = PartA < 0 || AllCasts is not null || _motion.Options.PassesShallow || isImpact;
+        double error = _motion.Kind == MotionKind.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0;
         double least = _best.Solved + error;
         var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
-        if (_motion == PartMotion.Ray)
+        if (_motion.Kind == MotionKind.Ray)
         {
             RayCastResult met = ConvexQuery.RayCast(
-                a, _a.Pose, _b.Pose.Position, _b.Velocity, most, _options, Sides);
-            TriangleBack.Judge(scratch.A, partA, _b.Velocity, Sides, ref met);
+                a, _motion.A.Pose, _motion.B.Pose.Position, _motion.B.Velocity, most, _motion.Options, Sides);
+            TriangleBack.Judge(scratch.A, partA, _motion.B.Velocity, Sides, ref met);
             if (All is not null && met.IsHit) All.Add(new RayHit(met, scratch.A.NumberOf(partA)));
             else if (met.IsHit && Take(met.Order, MetFeature.None, partA, partB)) Ray = met;
             return;
         }
 
         ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
-        if (_motion == PartMotion.Impact && !double.IsInfinity(_to)
-            && ConvexQuery.StaysApart(a, _a, b, _b, _tolerance, (float)_maxFraction, _from, _to)) return;
+        if (isImpact && !double.IsInfinity(_to) && ConvexQuery.StaysApart(
+            a, _motion.A, b, _motion.B, _motion.Tolerance, (float)_maxFraction, _from, _to)) return;
         bool isIdle = Asked >= IdleBeforeProof && (Asked & (Asked - 1)) == 0;
-        if (isIdle && _motion == PartMotion.Cast) TryPlane(scratch, partA, partB);
-        CastResult found = Move(a, b, _b, most, _options);
+        if (isIdle && _motion.Kind == MotionKind.Cast) TryPlane(scratch, partA, partB);
+        CastResult found = Move(a, b, _motion.B, most, _motion.Options);
         if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
-        if (_isLifted && !UnionLift.IsOutOf(found, _b.Pose, _lifted.Pose, 1)
+        if (_isLifted && !UnionLift.IsOutOf(found, _motion.B.Pose, _lifted.Pose, 1)
             && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
         MetFeature feature = MetFeature.None;
         if (found.Status == CastStatus.Hit)
         {
             feature = MetFeatures.Of(
-                a, PartAdvancement.PoseAt(_a, found.Fraction), b, PartAdvancement.PoseAt(_b, found.Fraction),
-                found.Normal);
+                a, PartAdvancement.PoseAt(_motion.A, found.Fraction), b,
+                PartAdvancement.PoseAt(_motion.B, found.Fraction), found.Normal);
         }
 
         if (AllCasts is not null)
@@ -276,14 +274,14 @@ internal struct PartCastSearch
         if (start.Status != GjkStatus.Separated) return;
         scratch.Plane.SetWay(
             scratch.A, partA, scratch.B, partB, start.Normal, (Asked & OtherPowers) != 0,
-            (Double3)_b.Velocity - _a.Velocity, Last + WayError * Size / Math.Max(_length, double.Epsilon));
+            _motion.Way, Last + WayError * Size / Math.Max(_length, double.Epsilon));
     }
 
     private readonly CastResult Move(
         in ConvexShape a, in ConvexShape b, in RigidMotion motionB, float most, in CastOptions options) =>
-        _motion == PartMotion.Cast
-            ? ConvexQuery.Cast(a, _a.Pose, _a.Velocity, b, motionB.Pose, motionB.Velocity, most, options)
-            : ConvexQuery.TimeOfImpact(a, _a, b, motionB, _tolerance, most, options);
+        _motion.Kind == MotionKind.Cast
+            ? ConvexQuery.Cast(a, _motion.A.Pose, _motion.A.Velocity, b, motionB.Pose, motionB.Velocity, most, options)
+            : ConvexQuery.TimeOfImpact(a, _motion.A, b, motionB, _motion.Tolerance, most, options);
 
     /// <summary>Whether an answer is before the best one; then it takes its place.</summary>
     private bool Take(in ContactOrder found, MetFeature feature, int partA, int partB)

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
 /// <summary>What a search for the first contact asks two parts.</summary>
-internal enum PartMotion : byte
+internal enum MotionKind : byte
 {
     /// <summary>Both move along lines.</summary>
     Cast,
@@ -11,4 +11,22 @@ internal enum PartMotion : byte
 
     /// <summary>B is a point that moves: a ray.</summary>
     Ray,
+}
+
+/// <summary>How two shapes move, and which contacts are looked for.</summary>
+internal readonly struct PartMotion(
+    MotionKind kind, in RigidMotion a, in RigidMotion b, float maxFraction, float tolerance, in CastOptions options)
+{
+    public readonly MotionKind Kind = kind;
+    public readonly RigidMotion A = a, B = b;
+    public readonly float MaxFraction = maxFraction, Tolerance = tolerance;
+    public readonly CastOptions Options = options;
+
+    /// <summary>How B's position moves, seen from A's.</summary>
+    public Double3 Way => (Double3)B.Velocity - A.Velocity;
+
+    /// <summary>The rest of the motion after a fraction, of B from where it is put.</summary>
+    public PartMotion After(float fraction, in RigidPose poseB, in CastOptions options) => new(
+        Kind, new RigidMotion(PartAdvancement.PoseAt(A, fraction), A.Velocity, A.AngularVelocity),
+        new RigidMotion(poseB, B.Velocity, B.AngularVelocity), MaxFraction - fraction, Tolerance, options);
 }

@@ -4,10 +4,10 @@ namespace Gjk.Core;
 /// box of a pair is opened, and two leaves' parts are asked one by one, by the exact query.</summary>
 /// <remarks>Source: branch and bound over two trees (Quinlan, "Efficient distance computation between non-convex
 /// objects", 1994; Johnson and Cohen, 1998, best first). Exactness: a pair of boxes is dropped only if its bound, which
-/// is proved, exceeds the least distance that a query of two parts has given. So the answer is the least of all pairs'
-/// answers, whatever the trees are like. It ends: each pair of boxes enters the heap once at most, and each step takes
-/// one out. Which of several pairs with the same float distance is named depends on the trees, which depend on the
-/// input alone.</remarks>
+/// is proved, exceeds the least distance that a query of two parts has given, or if a <see cref="PlaneProof"/> says
+/// that none of its parts are nearer than that. So the answer is the least of all pairs' answers, whatever the trees
+/// are like. It ends: each pair of boxes enters the heap once at most, and each step takes one out. Which of several
+/// pairs with the same float distance is named depends on the trees, which depend on the input alone.</remarks>
 internal struct PartPairSearch
 {
     /// <summary>Count: so many parts are asked in vain, or leaves looked at, before planes are tried, which costs a
@@ -36,7 +36,7 @@ internal struct PartPairSearch
     /// <summary>The parts that have it.</summary>
     public int PartA, PartB;
 
-    /// <summary>No pair that was asked is nearer than this.</summary>
+    /// <summary>No pair that was asked, or that a plane dropped, is nearer than this.</summary>
     public float LowerBound;
 
     public TreeFrame Frame;

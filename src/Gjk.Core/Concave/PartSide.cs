@@ -92,29 +92,18 @@ internal sealed class PartSide
         Insides = shape.Insides;
         Margin = 0;
         IsJoined = false;
-        if (!IsConvex)
-        {
-            Tree = Mesh is not null ? Mesh.Tree : Compound!.Tree;
-            return true;
-        }
-
+        Tree = Mesh?.Tree ?? Compound?.Tree ?? _single;
+        if (!IsConvex) return true;
         _convex = AnyShape.ConvexOf(shape);
         Margin = _convex.Margin;
-        if (IsEndless)
-        {
-            var all = new Double3(HalfSpaceCore.Endless, HalfSpaceCore.Endless, HalfSpaceCore.Endless);
-            SinglePart.Write(_single, -all, all);
-            Tree = _single;
-            return true;
-        }
-
-        CompoundShape.Box(_convex, 0, out Double3 min, out Double3 max);
-        SinglePart.Write(_single, min, max);
-        Tree = _single;
+        Double3 max = new(HalfSpaceCore.Endless, HalfSpaceCore.Endless, HalfSpaceCore.Endless), min = -max;
+        if (!IsEndless) CompoundShape.Box(_convex, 0, out min, out max);
+        _single.SetSingle(min, max);
         return true;
     }
 
-    /// <summary>A part as a convex shape; it may be written to the room that is given.</summary>
+    /// <summary>A part as a convex shape, of a convex shape the whole; it may be written to the room that is
+    /// given.</summary>
     public ref readonly ConvexShape Part(int part, ref ConvexShape room)
     {
         if (Mesh is null) return ref Convex(part);
@@ -202,9 +191,8 @@ internal sealed class PartSide
     /// <summary>A point of a piece, as exact as the piece is given, and the part that it is of.</summary>
     public Double3 PointOf(int piece, out int part)
     {
-        TriangleMesh? whole = Whole;
-        part = whole is not null ? whole.Components[piece] : piece;
-        if (whole is not null)
+        part = Whole?.Components[piece] ?? piece;
+        if (IsMesh)
         {
             GetCorners(part, out Double3 corner, out _, out _);
             return corner;
@@ -231,9 +219,8 @@ internal sealed class PartSide
     /// <summary>The middle of a piece's first triangle, or a point inside a convex part, as double has it.</summary>
     public Double3 MiddleOf(int piece, out int part)
     {
-        TriangleMesh? whole = Whole;
-        part = whole is not null ? whole.Components[piece] : piece;
-        if (whole is not null) return MiddleOf(part);
+        part = Whole?.Components[piece] ?? piece;
+        if (IsMesh) return MiddleOf(part);
         ref readonly ConvexShape shape = ref Convex(part);
         Double3 sum = default;
         for (int i = 0; i < 6; i++)

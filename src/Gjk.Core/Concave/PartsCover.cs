@@ -1,26 +1,26 @@
 namespace Gjk.Core;
 
-/// <summary>What may go on where a contact is.</summary>
-internal interface ICover
-{
-    /// <summary>Whether a part of it holds a point of the world and reaches beyond it.</summary>
-    bool GoesOn(in Double3 point, in Double3 direction);
-
-    /// <summary>Whether it, or what it is around, holds a point of the world.</summary>
-    bool Holds(in Double3 point);
-
-    /// <summary>The plane in which it ends near a witness, before what is just beyond that; the way out where that is
-    /// in it.</summary>
-    OpenPlane EndNear(in Double3 witness, in Double3 outward);
-}
-
 /// <summary>The other parts of the body that a contact is of, as far as they are near the same part of the other body.
 /// What covers a contact is among them, as it is as near.</summary>
-internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairContacts contact) : ICover
+internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairContacts contact)
 {
-    private readonly PartSide _side = scratch.SideOf(contact.Pair.A, isA);
     private readonly ObjectPair _pair = contact.Pair;
-    private readonly int _own = isA ? contact.PartA : contact.PartB, _other = isA ? contact.PartB : contact.PartA;
+    private readonly int _other = contact.PartOf(!isA);
+    private readonly Vector3 _witness = isA ? contact.Result.LocalPointA : contact.Result.LocalPointB;
+
+    /// <summary>The body.</summary>
+    public readonly PartSide Side = scratch.SideOf(contact.Pair.A, isA);
+
+    /// <summary>The part that has the contact.</summary>
+    public readonly int Own = contact.PartOf(isA);
+
+    /// <summary>From the body to the other one, along the contact.</summary>
+    public readonly Double3 Outward = isA ? contact.Result.Normal : -contact.Result.Normal;
+
+    public bool IsA => isA;
+
+    /// <summary>The body's point of the contact, in the world.</summary>
+    public Double3 Witness => CoveredSides.InWorld(_witness, Side.Pose);
 
     /// <summary>The static objects that may go on, from the first one: all of them, or the one that the body is
     /// at.</summary>
@@ -28,18 +28,14 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
 
     private int End => isA ? Math.Max(scratch.GroundCount, 1) : First + 1;
 
-    public Double3 Witness(in PairContacts one) =>
-        CoveredSides.InWorld(isA ? one.Result.LocalPointA : one.Result.LocalPointB, _side.Pose);
+    /// <summary>The part that has the contact; it may be written to the room that is given.</summary>
+    public ref readonly ConvexShape Part(ref ConvexShape room) => ref Side.Part(Own, ref room);
 
-    public Double3 Outward(in PairContacts one) => isA ? one.Result.Normal : -one.Result.Normal;
-
-    public bool GoesOnAtWitness(in PairContacts one) => GoesOn(Witness(one), Outward(one), true);
-
-    public bool GoesOn(in Double3 point, in Double3 direction) => GoesOn(point, direction, false);
-
-    /// <summary>Whether a part, or one that is no triangle of the same mesh, holds a point and reaches beyond
-    /// it.</summary>
-    private bool GoesOn(in Double3 point, in Double3 direction, bool isJoint)
+    /// <summary>Whether another part holds a point of the world and reaches beyond it.</summary>
+    /// <param name="point">The point.</param>
+    /// <param name="direction">Where beyond is.</param>
+    /// <param name="isJoint">Whether the triangles of the same mesh are left out.</param>
+    public bool GoesOn(in Double3 point, in Double3 direction, bool isJoint = false)
     {
         ConvexShape room = default;
         for (int i = First; i < End; i++)
@@ -65,19 +61,22 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
     private bool IsBeside(in PairDistance near, PartSide side, bool isJoint)
     {
         bool isOne = near.Pair.A == _pair.A;
-        if (!isA) return isOne && near.PartB != _own && near.PartA == _other;
-        return near.PartB == _other && !(isOne && (near.PartA == _own || (isJoint && side.Mesh is not null)));
+        if (!isA) return isOne && near.PartB != Own && near.PartA == _other;
+        return near.PartB == _other && !(isOne && (near.PartA == Own || (isJoint && side.Mesh is not null)));
     }
 
+    /// <summary>Whether the body holds a point of the world.</summary>
     public bool Holds(in Double3 point)
     {
         ConvexShape room = default;
-        return JoinedGrounds.IsOn(
-            scratch, _side, isA, _side.Part(Math.Max(_own, 0), ref room), _side.Local(point));
+        return JoinedGrounds.IsOn(scratch, Side, isA, Part(ref room), Side.Local(point));
     }
 
-    public OpenPlane EndNear(in Double3 witness, in Double3 outward)
+    /// <summary>The plane in which the body ends near the witness, before what is just beyond that; the way out where
+    /// that is in it.</summary>
+    public OpenPlane EndNear()
     {
+        Double3 witness = Witness;
         var shape = ConvexShape.Point();
         DistanceResult least = default;
         ConvexShape room = default;
@@ -91,7 +90,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 PairDistance near = scratch.Pairs[k];
                 if (!IsBeside(near, side, true)) continue;
                 int part = isA ? near.PartA : near.PartB;
-                var pose = new RigidPose((Vector3)FlushSides.Beside(witness, outward, side.MiddleOfPart(part)));
+                var pose = new RigidPose((Vector3)FlushSides.Beside(witness, Outward, side.MiddleOfPart(part)));
                 DistanceResult found = ConvexQuery.Distance(side.Part(part, ref room), side.Pose, shape, pose);
                 if (SeamContacts.Judge(side, part, found.Normal) != ContactFit.Stays) continue;
                 if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;

@@ -25,8 +25,8 @@ internal static class SeamContacts
         PartSide a = scratch.A, b = scratch.B;
         if (ContactCone.IsInnerWall(a, pair.PartA) || ContactCone.IsInnerWall(b, pair.PartB)) return;
         ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape shapeA = ref a.Part(Math.Max(pair.PartA, 0), ref roomA);
-        ref readonly ConvexShape shapeB = ref b.Part(Math.Max(pair.PartB, 0), ref roomB);
+        ref readonly ConvexShape shapeA = ref a.Part(pair.PartA, ref roomA);
+        ref readonly ConvexShape shapeB = ref b.Part(pair.PartB, ref roomB);
         ContactPlane plane = default;
         DistanceResult result = ConvexQuery.Contacts(
             shapeA, a.Pose, shapeB, b.Pose, maxGap, ref plane, out ContactManifold manifold);
@@ -39,7 +39,7 @@ internal static class SeamContacts
         var own = new PairContacts(pair.PartA, pair.PartB, result, manifold, pair.Pair);
         if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
         {
-            if (!OutwardContact.TryReplace(scratch, own, pair, normal, shapeA, shapeB, maxGap)) contacts.Add(own);
+            if (!OutwardContact.TryReplace(scratch, own, normal, maxGap)) contacts.Add(own);
             return;
         }
 
@@ -47,15 +47,15 @@ internal static class SeamContacts
             || IsBeside(b, pair.PartB, fitB, a, shapeA, result);
         if (isBeside) return;
         scratch.Searched++;
-        if (TryConvex(scratch, true, own, pair, normal, fitB, shapeA, contacts)
-            || TryConvex(scratch, false, own, pair, normal, fitA, shapeB, contacts))
+        if (TryConvex(scratch, true, own, normal, fitB, shapeA, contacts)
+            || TryConvex(scratch, false, own, normal, fitA, shapeB, contacts))
         {
             return;
         }
 
-        var search = new FaceSearch(scratch, pair, result, plane, maxGap);
+        var search = new FaceSearch(scratch, own, plane, maxGap);
         search.Run(normal, fitA, fitB, shapeA, shapeB);
-        search.Add(own, contacts);
+        search.Add(contacts);
     }
 
     /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap or
@@ -79,7 +79,7 @@ internal static class SeamContacts
             areAtJoints.Add(isAtJoint);
             bool isOpen = !isAtJoint && !IsAtJoint(scratch, !isA, one, isNear);
             areOpen.Add(isOpen);
-            if (isOpen) CoveredSides.AddPlane(planes, one.Manifold, isA, scratch.SideOf(one.Pair.A, isA).Pose);
+            if (isOpen) CoveredSides.AddPlane(scratch, isA, one, planes);
         }
 
         RemoveCoveredFaces(scratch, isA);
@@ -87,28 +87,16 @@ internal static class SeamContacts
         ends.Clear();
         for (int i = 0; i < contacts.Count; i++)
         {
-            PairContacts one = contacts[i];
-            PartSide side = scratch.SideOf(one.Pair.A, isA);
-            if (!areAtJoints[i])
-            {
-                if (areOpen[i] && !IsCovered(scratch, isA, one, false))
-                    CoveredSides.AddPlane(ends, one.Manifold, isA, side.Pose);
-                continue;
-            }
-
-            var cover = new PartsCover(scratch, isA, one);
-            ConvexShape room = default;
-            FlushSides.AddEnd(
-                ends, cover.Witness(one), cover.Outward(one), side.Part(isA ? one.PartA : one.PartB, ref room),
-                side.Pose, cover);
+            if (areAtJoints[i]) FlushSides.AddEnd(ends, new PartsCover(scratch, isA, contacts[i]));
+            else if (areOpen[i] && !IsCovered(scratch, isA, contacts[i], false))
+                CoveredSides.AddPlane(scratch, isA, contacts[i], ends);
         }
 
         foreach (FaceContact one in scratch.FaceContacts)
         {
             // A face that is much deeper than its pair is pushed along only where nothing else pushes.
             if (one.IsOfA == isA && !(one.Own > one.Contact.Result.Distance * ContactPush.MuchLess))
-                CoveredSides.AddPlane(
-                    planes, one.Contact.Manifold, isA, scratch.SideOf(one.Contact.Pair.A, isA).Pose);
+                CoveredSides.AddPlane(scratch, isA, one.Contact, planes);
         }
 
         int kept = 0;
@@ -148,30 +136,28 @@ internal static class SeamContacts
     }
 
     /// <summary>Whether another part of its body goes on where a contact is.</summary>
-    /// <param name="scratch">With both sides.</param>
+    /// <param name="scratch">With both bodies.</param>
     /// <param name="isA">Whether the body is A.</param>
     /// <param name="one">The contact.</param>
     /// <param name="isNear">Whether it is no deeper than the pairs are near: what covers it is among them.</param>
     private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PairContacts one, bool isNear = false)
     {
-        PartSide side = scratch.SideOf(one.Pair.A, isA);
-        if (!side.HasJoints) return false;
         var cover = new PartsCover(scratch, isA, one);
+        if (!cover.Side.HasJoints) return false;
         return isNear
-            ? cover.GoesOnAtWitness(one)
-            : JoinedGrounds.GoesOn(scratch, side, isA ? one.PartA : one.PartB, cover.Witness(one), cover.Outward(one));
+            ? cover.GoesOn(cover.Witness, cover.Outward, isJoint: true)
+            : JoinedGrounds.GoesOn(scratch, cover.Side, cover.Own, cover.Witness, cover.Outward);
     }
 
     private static bool IsCovered(ConcaveScratch scratch, bool isA, in PairContacts one, bool isAtJoint)
     {
-        PartSide side = scratch.SideOf(one.Pair.A, isA);
         var cover = new PartsCover(scratch, isA, one);
-        if (!CoveredSides.IsAnyAcross(scratch.Planes, cover.Outward(one))) return isAtJoint;
+        if (!CoveredSides.IsAnyAcross(scratch.Planes, cover.Outward)) return isAtJoint;
         ConvexShape room = default;
-        ref readonly ConvexShape part = ref side.Part(isA ? one.PartA : one.PartB, ref room);
+        ref readonly ConvexShape part = ref cover.Part(ref room);
         return isAtJoint
-            ? !CoveredSides.StandsOn(cover.Witness(one), cover.Outward(one), part, side.Pose, scratch.Planes)
-            : CoveredSides.IsBuried(one.Manifold, isA, part, side.Pose, scratch.Planes, cover);
+            ? !CoveredSides.StandsOn(part, scratch.Planes, cover)
+            : CoveredSides.IsBuried(one.Manifold, part, scratch.Planes, cover);
     }
 
     /// <summary>What holds two parts that overlap, if they need it: the way that the union shows, or else their
@@ -179,41 +165,28 @@ internal static class SeamContacts
     private static void Replace(
         ConcaveScratch scratch, bool isA, in PairContacts one, bool isAtJoint, float maxGap)
     {
-        scratch.Select(one.Pair);
-        PartSide otherSide = isA ? scratch.B : scratch.A;
-        int other = isA ? one.PartB : one.PartA;
-        ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape partA = ref scratch.A.Part(Math.Max(one.PartA, 0), ref roomA);
-        ref readonly ConvexShape partB = ref scratch.B.Part(Math.Max(one.PartB, 0), ref roomB);
-        var cover = new PartsCover(scratch, isA, one);
-        Double3 way = isAtJoint
-            ? cover.EndNear(cover.Witness(one), cover.Outward(one)).Normal
-            : default;
+        Double3 way = isAtJoint ? new PartsCover(scratch, isA, one).EndNear().Normal : default;
         PairContacts held = one;
-        bool isThere = way.LengthSquared > 0 && Judge(otherSide, other, -way) == ContactFit.Stays
-            && IsTipShown(scratch, isA, one, isA ? partA : partB, isA ? partB : partA, way)
-            && CoveredSides.TryAlong(ref held, isA, partA, scratch.A.Pose, partB, scratch.B.Pose, maxGap, way)
+        bool isThere = way.LengthSquared > 0
+            && Judge(isA ? scratch.B : scratch.A, one.PartOf(!isA), -way) == ContactFit.Stays
+            && IsTipShown(scratch, isA, one, way)
+            && CoveredSides.TryAlong(scratch, isA, ref held, maxGap, way)
             && !IsAtJoint(scratch, isA, held);
-        if (isThere)
-        {
-            var pair = new PairDistance(one.Result, one.PartA, one.PartB);
-            scratch.FaceContacts.Add(new FaceContact(held, pair, isA, one.Result));
-        }
-        else
-        {
-            scratch.Orphans.Add(new FaceContact(one));
-        }
+        if (isThere) scratch.FaceContacts.Add(new FaceContact(held, one, isA));
+        else scratch.Orphans.Add(new FaceContact(one));
     }
 
     /// <summary>Whether a part's tip is over the other body, and its own body ends there.</summary>
-    private static bool IsTipShown(
-        ConcaveScratch scratch, bool isA, in PairContacts one, in ConvexShape part, in ConvexShape other,
-        in Double3 way)
+    private static bool IsTipShown(ConcaveScratch scratch, bool isA, in PairContacts one, in Double3 way)
     {
         PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
-        ManifoldPoint tip = CoveredSides.Tip(part, side.Pose, other, otherSide.Pose, way);
-        return JoinedGrounds.IsOn(scratch, side, isA, part, tip.LocalPointA)
-            && !JoinedGrounds.GoesOn(scratch, otherSide, isA ? one.PartB : one.PartA, tip.PointB, -way);
+        int other = one.PartOf(!isA);
+        ConvexShape room = default, otherRoom = default;
+        ref readonly ConvexShape own = ref side.Part(one.PartOf(isA), ref room);
+        ManifoldPoint tip = CoveredSides.Tip(
+            own, side.Pose, otherSide.Part(other, ref otherRoom), otherSide.Pose, way);
+        return JoinedGrounds.IsOn(scratch, side, isA, own, tip.LocalPointA)
+            && !JoinedGrounds.GoesOn(scratch, otherSide, other, tip.PointB, -way);
     }
 
     /// <summary>Whether a body ends at a part along a direction in the world.</summary>
@@ -238,15 +211,15 @@ internal static class SeamContacts
     /// where the tip to which the mesh climbs is over it. The pair has its own contact where its triangle leans, and
     /// else the tip's, if it overlaps.</summary>
     private static bool TryConvex(
-        ConcaveScratch scratch, bool isConvexA, in PairContacts own, in PairDistance pair, in Double3 normal,
-        ContactFit fit, in ConvexShape shape, List<PairContacts> contacts)
+        ConcaveScratch scratch, bool isConvexA, in PairContacts own, in Double3 normal, ContactFit fit,
+        in ConvexShape shape, List<PairContacts> contacts)
     {
         bool isOverlapping = own.Result.Distance < 0;
         PartSide convex = isConvexA ? scratch.A : scratch.B, other = isConvexA ? scratch.B : scratch.A;
         if (convex.Mesh is not null) return false;
         Double3 outward = isConvexA ? normal : -normal;
         RotationD toOther = new(other.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
-        int triangle = isConvexA ? pair.PartB : pair.PartA;
+        int triangle = own.PartOf(!isConvexA);
         if (!MeshClimb.TryFind(other.Mesh!, triangle, toOther.InverseRotate(-outward), out int corner)) return false;
         Double3 local = other.Mesh!.GetCorner(corner), tip = toOther.Rotate(local) + other.Pose.Position;
         if (JoinedGrounds.GoesOn(scratch, other, triangle, tip, -outward)) return false;
@@ -267,12 +240,11 @@ internal static class SeamContacts
             ContactManifold manifold = default;
             manifold.Begin((Vector3)normal);
             manifold.Add(isConvexA ? point : point.Swapped);
-            int partA = isConvexA ? pair.PartA : corner / 3, partB = isConvexA ? corner / 3 : pair.PartB;
-            contact = new PairContacts(
-                partA, partB, DeepestPoint.Result(manifold, own.Result), manifold, pair.Pair);
+            int partA = isConvexA ? own.PartA : corner / 3, partB = isConvexA ? corner / 3 : own.PartB;
+            contact = DeepestPoint.Contact(partA, partB, manifold, own);
         }
 
-        scratch.FaceContacts.Add(new FaceContact(contact, pair, isConvexA, own.Result));
+        scratch.FaceContacts.Add(new FaceContact(contact, own, isConvexA));
         return true;
     }
 }

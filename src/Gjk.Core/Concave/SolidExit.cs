@@ -55,11 +55,11 @@ internal static class SolidExit
         found = default;
         for (int i = 0; i < pairs.Count; i++)
         {
-            int partA = Math.Max(pairs[i].PartA, 0), partB = Math.Max(pairs[i].PartB, 0);
+            (int partA, int partB) = (pairs[i].PartA, pairs[i].PartB);
             CastResult start = ConvexQuery.Cast(
                 a.Part(partA, ref roomA), a.Pose, Vector3.Zero, b.Part(partB, ref roomB), b.Pose, Vector3.Zero);
             if (start.Status == CastStatus.OverlappingAtStart && !(found.IsHit && start.Depth <= found.Result.Depth))
-                found = new CastHit(start, a.NumberOf(partA), b.NumberOf(partB));
+                found = new CastHit(start, partA, partB);
         }
 
         return found.IsHit;

@@ -33,14 +33,15 @@ internal readonly struct TouchLine
         for (int i = 0; i < contacts.Count; i++)
         {
             PairContacts one = contacts[i];
-            PartSide side = scratch.SideOf(one.Pair.A, isA), other = scratch.SideOf(one.Pair.A, !isA);
+            PartSide other = scratch.SideOf(one.Pair.A, !isA);
             Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
-            ref readonly ConvexShape shape = ref other.Part(Math.Max(isA ? one.PartB : one.PartA, 0), ref room);
+            ref readonly ConvexShape shape = ref other.Part(one.PartOf(!isA), ref room);
             if (other.Mesh is null && TryFind(shape, other.Pose, outward, out TouchLine line))
             {
                 var cover = new PartsCover(scratch, isA, one);
-                if (line.IsBeside(one, isA, side.Pose, cover) && IsAnyDeeper(contacts, one, isA)) continue;
-                one = line.KeepOn(one, isA, side.Pose, cover);
+                ManifoldPoint deepest = one.Manifold[DeepestPoint.Of(one.Manifold)];
+                if (line.IsBeside(deepest, cover) && IsAnyDeeper(contacts, one, isA)) continue;
+                one = line.KeepOn(one, cover);
             }
 
             contacts[count++] = one;
@@ -49,40 +50,26 @@ internal readonly struct TouchLine
         contacts.RemoveRange(count, contacts.Count - count);
     }
 
-    /// <summary>Whether the deepest point of a contact is beside the line, where a body goes on to that.</summary>
-    public bool IsBeside<T>(in PairContacts contact, bool isA, in RigidPose pose, T body)
-        where T : struct, ICover =>
-        IsBeside(CoveredSides.FootOf(contact.Manifold[DeepestPoint.Of(contact.Manifold)], isA, pose), body);
-
     /// <summary>A contact with its deepest point and those that are not beside the line.</summary>
-    public PairContacts KeepOn<T>(in PairContacts contact, bool isA, in RigidPose pose, T body)
-        where T : struct, ICover
+    private PairContacts KeepOn(in PairContacts contact, in PartsCover body)
     {
         ContactManifold kept = default;
         kept.Begin(contact.Manifold.Normal);
         int deepest = DeepestPoint.Of(contact.Manifold);
         for (int k = 0; k < contact.Manifold.Count; k++)
-        {
-            ManifoldPoint point = contact.Manifold[k];
-            if (k == deepest || !IsBeside(CoveredSides.FootOf(point, isA, pose), body)) kept.Add(point);
-        }
-
+            if (k == deepest || !IsBeside(contact.Manifold[k], body)) kept.Add(contact.Manifold[k]);
         return new PairContacts(contact.PartA, contact.PartB, contact.Result, kept, contact.Pair);
     }
 
-    /// <summary>Whether one of two contacts of a part of a body, whose ways out are given, is deeper and the same way
-    /// as the other.</summary>
-    public static bool IsDeeper(
-        in PairContacts one, in Double3 outward, in PairContacts other, in Double3 otherOutward) =>
-        one.Result.Distance < other.Result.Distance
-        && (outward - otherOutward).SumOfMagnitudes <= CoveredSides.Room;
-
+    /// <summary>Whether another contact of the part that touches along the line is deeper the same way.</summary>
     private static bool IsAnyDeeper(List<PairContacts> contacts, in PairContacts one, bool isA)
     {
+        Double3 normal = one.Manifold.Normal;
         foreach (PairContacts other in contacts)
         {
-            if ((isA ? other.PartB == one.PartB : other.PartA == one.PartA && other.Pair.A == one.Pair.A)
-                && IsDeeper(other, other.Manifold.Normal, one, one.Manifold.Normal))
+            bool isOfPart = isA ? other.PartB == one.PartB : other.PartA == one.PartA && other.Pair.A == one.Pair.A;
+            if (isOfPart && other.Result.Distance < one.Result.Distance
+                && (other.Manifold.Normal - normal).SumOfMagnitudes <= CoveredSides.Room)
             {
                 return true;
             }
@@ -92,7 +79,7 @@ internal readonly struct TouchLine
     }
 
     /// <summary>The line that a shape with a round side or edge shows to a surface, whose way out is given.</summary>
-    public static unsafe bool TryFind(
+    private static unsafe bool TryFind(
         in ConvexShape shape, in RigidPose pose, in Double3 outward, out TouchLine line)
     {
         FaceCorner* memory = stackalloc FaceCorner[FaceCorners.Capacity];
@@ -121,9 +108,9 @@ internal readonly struct TouchLine
     }
 
     /// <summary>Whether a point is beside the line, as seen along the way out, and a body goes on to that.</summary>
-    private bool IsBeside<T>(in Double3 foot, T body)
-        where T : struct, ICover
+    private bool IsBeside(in ManifoldPoint point, in PartsCover body)
     {
+        Double3 foot = CoveredSides.FootOf(point, body.IsA, body.Side.Pose);
         Double3 from = _from - foot, end = from - _outward * Double3.Dot(from, _outward);
         Double3 way = _along - _outward * Double3.Dot(_along, _outward);
         double part = -Double3.Dot(end, way) / way.LengthSquared;

@@ -12,7 +12,7 @@ internal sealed unsafe class TriangleFilter
 
     private readonly float[] _first = new float[9 * Most], _second = new float[9 * Most];
     private readonly float[] _lanes = new float[2 * TriangleLanes.Stride];
-    private readonly double[] _turned = new double[9 * Most];
+    private readonly Double3[] _turned = new Double3[3 * Most];
     private readonly float[] _seeming = new float[Most * Most + PartTree.Lanes];
     private readonly float[] _bounds = new float[Most * Most + PartTree.Lanes];
     private int _turnedLeaf, _countB;
@@ -87,9 +87,9 @@ internal sealed unsafe class TriangleFilter
         for (int i = 0; i < count; i++)
         {
             a.Mesh!.GetCorners(a.Tree.Order[first + i], out Double3 p, out Double3 q, out Double3 r);
-            Write(_turned, 9 * i, frame.PlacedInB((p - a.Tree.Origin) * inverse));
-            Write(_turned, 9 * i + 3, frame.PlacedInB((q - a.Tree.Origin) * inverse));
-            Write(_turned, 9 * i + 6, frame.PlacedInB((r - a.Tree.Origin) * inverse));
+            _turned[3 * i] = frame.PlacedInB((p - a.Tree.Origin) * inverse);
+            _turned[3 * i + 1] = frame.PlacedInB((q - a.Tree.Origin) * inverse);
+            _turned[3 * i + 2] = frame.PlacedInB((r - a.Tree.Origin) * inverse);
         }
     }
 
@@ -109,15 +109,8 @@ internal sealed unsafe class TriangleFilter
         }
 
         Double3 from = (origin - b.Tree.Origin) * inverse;
-        for (int i = 0; i < 9 * countA; i += 3)
-        {
-            _first[i] = (float)(_turned[i] - from.X);
-            _first[i + 1] = (float)(_turned[i + 1] - from.Y);
-            _first[i + 2] = (float)(_turned[i + 2] - from.Z);
-        }
+        for (int i = 0; i < 3 * countA; i++) Write(_first, 3 * i, _turned[i] - from);
     }
-
-    private static void Write(double[] to, int at, in Double3 v) => (to[at], to[at + 1], to[at + 2]) = (v.X, v.Y, v.Z);
 
     private static void Write(float[] to, int at, in Double3 v) =>
         (to[at], to[at + 1], to[at + 2]) = ((float)v.X, (float)v.Y, (float)v.Z);

@@ -18,11 +18,13 @@ public sealed partial class TriangleMesh
     {
         Workers.Check(workers);
         mesh = null;
+        Vector3[] points = [];
+        int[] corners = [];
         reason = vertices is null || indices is null
             ? "There is no list of vertices, or none of indices."
-            : Refusal(vertices, indices, out _, out _).Reason;
+            : Refusal(vertices, indices, out points, out corners).Reason;
         if (reason is not null) return false;
-        mesh = new TriangleMesh(vertices!, indices!, workers);
+        mesh = new TriangleMesh(ListsOf(points, corners), Vector3.One, workers: workers);
         return true;
     }
 
@@ -41,8 +43,21 @@ public sealed partial class TriangleMesh
         string? reason = Refusal(vertices, corners, out Vector3[] points, out corners).Reason;
         if (reason is not null) throw new ArgumentException(reason, nameof(vertices));
         MeshTopology topology = _topology.WithVertices(points, corners);
-        return new TriangleMesh(new TriangleList(points, corners), topology, Scale, Tree);
+        return new TriangleMesh((new TriangleList(points, corners), topology), Scale, Tree);
     }
+
+    private static (TriangleList List, MeshTopology Topology) Checked(
+        IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, Workers? workers)
+    {
+        Workers.Check(workers);
+        Guard.NotNull(vertices, nameof(vertices));
+        Guard.NotNull(indices, nameof(indices));
+        (string? reason, string? argument) = Refusal(vertices, indices, out Vector3[] points, out int[] corners);
+        return reason is null ? ListsOf(points, corners) : throw new ArgumentException(reason, argument);
+    }
+
+    private static (TriangleList List, MeshTopology Topology) ListsOf(Vector3[] points, int[] corners) =>
+        (new TriangleList(points, corners), new MeshTopology(points, corners));
 
     private static (string? Reason, string? Argument) Refusal(
         IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, out Vector3[] points, out int[] corners)

@@ -55,17 +55,18 @@ public sealed partial class TriangleMesh
             throw new ArgumentOutOfRangeException(nameof(baseHeight), lowest, "Must be finite and below all heights.");
         var grid = new HeightGrid(columns, rows, spacing, isZUp, baseHeight);
         var plain = new TriangleList(copy, columns, spacing, isZUp);
+        (TriangleList List, MeshTopology Topology) lists;
         if (isHole is null && baseHeight is null)
         {
-            var topology = new MeshTopology(columns, rows, isZUp);
-            return new TriangleMesh(plain, topology, Vector3.One, grid: grid, workers: workers);
+            lists = (plain, new MeshTopology(columns, rows, isZUp));
+        }
+        else
+        {
+            grid.List(plain, CopyHoles(isHole, grid.CellCount), out Vector3[] points, out int[] corners);
+            lists = ListsOf(points, corners);
         }
 
-        bool[] holes = CopyHoles(isHole, grid.CellCount);
-        grid.List(plain, holes, out Vector3[] points, out int[] corners);
-        return new TriangleMesh(
-            new TriangleList(points, corners), new MeshTopology(points, corners), Vector3.One, grid: grid,
-            workers: workers);
+        return new TriangleMesh(lists, Vector3.One, grid: grid, workers: workers);
     }
 
     private static bool IsSpacing(float spacing, int lines) =>

@@ -43,30 +43,20 @@ public sealed partial class TriangleMesh
     /// why.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public TriangleMesh(IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, Workers? workers = null)
+        : this(Checked(vertices, indices, workers), Vector3.One, workers: workers)
     {
-        Workers.Check(workers);
-        Guard.NotNull(vertices, nameof(vertices));
-        Guard.NotNull(indices, nameof(indices));
-        (string? reason, string? argument) = Refusal(vertices, indices, out Vector3[] points, out int[] corners);
-        if (reason is not null) throw new ArgumentException(reason, argument);
-        _list = new TriangleList(points, corners);
-        _topology = new MeshTopology(points, corners);
-        Scale = Vector3.One;
-        _scale = Scale;
-        Tree = BuildTree(workers);
-        Slab = MeshSlab.Of(this);
-        _looksIn = PieceSides.LooksIn(this);
-        Insides = HasInside ? [new SolidInside(this)] : [];
     }
 
     private TriangleMesh(
-        TriangleList list, MeshTopology topology, Vector3 scale, PartTree? like = null, HeightGrid? grid = null,
-        Workers? workers = null)
+        (TriangleList List, MeshTopology Topology) triangles, Vector3 scale, PartTree? like = null,
+        HeightGrid? grid = null, Workers? workers = null)
     {
-        (_list, _topology) = (list, topology);
+        (_list, _topology) = triangles;
         Scale = scale;
         _scale = scale;
-        Tree = like is null ? BuildTree(workers) : PartTreeRefit.Fit(Source, like);
+        Tree = like is not null
+            ? PartTreeRefit.Fit(Source, like)
+            : PartTreeBuilder.Build(Source, LeafSize, MostInLeaf, workers);
         Slab = MeshSlab.Of(this);
         _looksIn = PieceSides.LooksIn(this);
         Insides = HasInside ? [new SolidInside(this)] : [];
@@ -134,7 +124,7 @@ public sealed partial class TriangleMesh
         Guard.Scale(scale, nameof(scale));
         Vector3 factors = Guard.Scale(Scale * scale, nameof(scale));
         TriangleList list = HeightField is null ? _list : _list.Copy();
-        return new TriangleMesh(list, _topology, factors, grid: HeightField?.Grid);
+        return new TriangleMesh((list, _topology), factors, grid: HeightField?.Grid);
     }
 
     /// <summary>Volume, mass, centre of mass and inertia of the solid inside, in the mesh's frame, to a few roundings
@@ -254,9 +244,6 @@ public sealed partial class TriangleMesh
 
     /// <summary>The triangles as a tree is built of them.</summary>
     internal IPartSource Source => _source ??= new TriangleSource(this);
-
-    private PartTree BuildTree(Workers? workers) =>
-        PartTreeBuilder.Build(Source, LeafSize, MostInLeaf, workers);
 
     private sealed class TriangleSource(TriangleMesh mesh) : IPartSource
     {

@@ -24,7 +24,6 @@ internal sealed class WindingNumber
     private const int MostParts = 192;
 
     private readonly ExactSum _sum = new(MostParts);
-    private int[] _nodes = new int[64];
 
     /// <summary>The winding number about a point.</summary>
     /// <param name="mesh">Has an inside.</param>
@@ -32,23 +31,21 @@ internal sealed class WindingNumber
     public int About(TriangleMesh mesh, in VectorDD point)
     {
         PartTree tree = mesh.Tree;
-        Double3 p = ((Double3)point - tree.Origin) * (1 / tree.Unit);
-        int winding = 0, waiting = 0;
-        _nodes[waiting++] = 0;
-        while (waiting > 0)
-        {
-            int node = _nodes[--waiting];
-            for (int lane = 0; lane < PartTree.Lanes; lane++)
-            {
-                int child = tree.Children[node * PartTree.Lanes + lane];
-                if (child == PartTree.Empty || !MayCross(tree.Boxes, node * PartTree.Stride + lane, p)) continue;
-                if (child >= 0)
-                {
-                    if (waiting == _nodes.Length) Array.Resize(ref _nodes, 2 * waiting);
-                    _nodes[waiting++] = child;
-                    continue;
-                }
+        return Below(mesh, 0, ((Double3)point - tree.Origin) * (1 / tree.Unit), point);
+    }
 
+    /// <summary>The turns of the triangles below a node.</summary>
+    private int Below(TriangleMesh mesh, int node, in Double3 inTree, in VectorDD point)
+    {
+        PartTree tree = mesh.Tree;
+        int winding = 0;
+        for (int lane = 0; lane < PartTree.Lanes; lane++)
+        {
+            int child = tree.Children[node * PartTree.Lanes + lane];
+            if (child == PartTree.Empty || !MayCross(tree.Boxes, node * PartTree.Stride + lane, inTree)) continue;
+            if (child >= 0) winding += Below(mesh, child, inTree, point);
+            else
+            {
                 int first = PartTree.FirstOf(child), end = first + PartTree.CountOf(child);
                 for (int i = first; i < end; i++) winding += Crossing(mesh, tree.Order[i], point);
             }

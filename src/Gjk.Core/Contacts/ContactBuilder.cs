@@ -33,8 +33,8 @@ internal static unsafe class ContactBuilder
         where TB : struct, ISupportMap
     {
         FlatCorner* flat = stackalloc FlatCorner[2 * FaceCorners.Capacity];
-        FlatFeature faceA = plane.See(cornersA, isOfA: true, flat);
-        FlatFeature faceB = plane.See(cornersB, isOfA: false, flat + FaceCorners.Capacity);
+        FlatFeature faceA = plane.Project(cornersA, isOfA: true, flat);
+        FlatFeature faceB = plane.Project(cornersB, isOfA: false, flat + FaceCorners.Capacity);
         if (!plane.IsOpen) MeetingEdges.Keep(ref faceA, ref faceB, plane.Size);
         if (!faceA.IsLevel || !faceB.IsLevel) return false;
         ContactPlace* places = stackalloc ContactPlace[ContactPlaces.Capacity];

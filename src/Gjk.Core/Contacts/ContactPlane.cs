@@ -34,7 +34,7 @@ internal struct ContactPlane
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         Frame = frame;
         Normal = state.Feature.Normal * -scale;
-        OnA = state.Simplex.MeanOnA(state.Weights);
+        OnA = state.Simplex.WitnessOnA(state.Weights);
         CoreDistance = state.Feature.Height * scale;
         Size = state.Size.Value;
     }
@@ -88,7 +88,7 @@ internal struct ContactPlane
     /// <param name="corners">From its centre, in its frame.</param>
     /// <param name="isOfA">Whether the shape is A; B reaches against the normal.</param>
     /// <param name="memory">Gets the corners.</param>
-    public readonly unsafe FlatFeature See(in FaceCorners corners, bool isOfA, FlatCorner* memory)
+    public readonly unsafe FlatFeature Project(in FaceCorners corners, bool isOfA, FlatCorner* memory)
     {
         double sign = isOfA ? 1 : -1;
         for (int i = 0; i < corners.Count; i++)

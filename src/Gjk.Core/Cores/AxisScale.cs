@@ -48,7 +48,7 @@ internal readonly struct AxisScale
     }
 
     /// <summary>Scales a shape's centre; what rounding takes from it is to be added to each support.</summary>
-    public void Place(in Double3 innerCenter, out Double3 center, out Double3 error)
+    public void ScaleCenter(in Double3 innerCenter, out Double3 center, out Double3 error)
     {
         var x = DoubleDouble.Product(Factors.X, innerCenter.X);
         var y = DoubleDouble.Product(Factors.Y, innerCenter.Y);

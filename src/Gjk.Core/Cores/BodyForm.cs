@@ -58,7 +58,7 @@ internal struct BodyForm
         where T : struct, ISupportMap
     {
         form = default;
-        if (ShapeTraits<T>.Of.TryGetForm(ref shape, out ShapeForm body)) form.Set(body, unit);
+        if (ShapeTraits<T>.Instance.TryGetForm(ref shape, out ShapeForm body)) form.Set(body, unit);
     }
 
     private void Set(in ShapeForm body, double unit)

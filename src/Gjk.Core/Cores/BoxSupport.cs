@@ -46,7 +46,7 @@ internal static unsafe class BoxSupport
     /// <summary>A box's face, its corners by their signs as in <see cref="TryGetVertex"/>.</summary>
     public static void Face(in Double3 half, in Double3 direction, ref FaceCorners corners)
     {
-        Double3 seen = corners.AlongAxes(direction);
+        Double3 seen = corners.OuterCosines(direction);
         double x = Math.Abs(seen.X), y = Math.Abs(seen.Y), z = Math.Abs(seen.Z);
         int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
         double along = axis == 0 ? seen.X : axis == 1 ? seen.Y : seen.Z;

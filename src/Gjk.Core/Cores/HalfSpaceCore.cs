@@ -31,7 +31,7 @@ internal readonly struct HalfSpaceCore(in Double3 normal, in Double3 normalError
     public Double3 Unit => Normal * (1 / Length);
 
     /// <summary>How far the plane is from the local origin, along the normal.</summary>
-    public double Level => Offset.X / Length;
+    public double PlaneDistance => Offset.X / Length;
 
     /// <summary>How far a point is outside, in units of the normal's length, the plane turned by a rotation about its
     /// origin.</summary>

@@ -73,6 +73,6 @@ internal readonly struct HullCore(ConvexHull hull, double radius, double margin)
     }
 
     /// <summary>Whether there is a vertex with the id.</summary>
-    public bool Has(int id) => (uint)id < (uint)_hull.VertexCount;
+    public bool HasVertex(int id) => (uint)id < (uint)_hull.VertexCount;
 #endif
 }

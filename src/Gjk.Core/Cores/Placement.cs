@@ -20,7 +20,7 @@ internal sealed class Placement
     public readonly Placement? Before;
 
     /// <summary>The rotation of the core: as exact as it was given, and of unit length.</summary>
-    public readonly QuaternionD Rotation, Turn;
+    public readonly QuaternionD Rotation, UnitRotation;
 
     /// <summary>The core's centre in the shape's frame, and in the core's axes.</summary>
     public readonly Double3 Center, CenterInCore;
@@ -33,10 +33,10 @@ internal sealed class Placement
     {
         Pose = pose;
         Before = before;
-        Rotation = before is null ? pose.Rotation : pose.Rotation * before.Turn;
-        Turn = Rotation * (1 / Math.Sqrt(Rotation.LengthSquared));
+        Rotation = before is null ? pose.Rotation : pose.Rotation * before.UnitRotation;
+        UnitRotation = Rotation * (1 / Math.Sqrt(Rotation.LengthSquared));
         _matrix = new RotationD(Rotation);
-        VectorDD center = VectorDD.Place(pose, before is null ? coreCenter : before.ExactCenter);
+        VectorDD center = VectorDD.ToWorld(pose, before is null ? coreCenter : before.ExactCenter);
         Center = (Double3)center;
         _centerError = (Double3)(center - Center);
         _errorLength = _centerError.Length;
@@ -79,7 +79,7 @@ internal sealed class Placement
     {
         form.Center = Center;
         form.CenterError = _matrix.Rotate(form.CenterError) + _centerError;
-        return form.Place(Rotation);
+        return form.Rotate(Rotation);
     }
 
     /// <summary>Whether both place equal cores at the same poses.</summary>

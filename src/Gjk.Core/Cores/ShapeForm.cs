@@ -32,8 +32,8 @@ internal enum FormKind : byte
     /// <summary>An ellipsoid: A, its radii.</summary>
     Ellipsoid,
 
-    /// <summary>A body of revolution that no ray meets in closed form, rounded before it was scaled unevenly: A, its
-    /// axis.</summary>
+    /// <summary>A body of revolution that no ray meets in closed form: rounded before it was scaled unevenly, or a
+    /// tapered capsule. A, its axis.</summary>
     Swollen,
 
     /// <summary>Added to a core's kind: the core is placed in the shape's frame.</summary>
@@ -102,7 +102,7 @@ internal struct ShapeForm
         return true;
     }
 
-    /// <summary>A box, cylinder, cone or ellipsoid.</summary>
+    /// <summary>A box, cylinder, cone, ellipsoid or swollen body.</summary>
     public static bool Of(FormKind kind, in Double3 size, out ShapeForm form)
     {
         form = default;
@@ -198,7 +198,7 @@ internal struct ShapeForm
 
     /// <summary>Turns the body; the centre is the caller's to place.</summary>
     /// <returns>False where it is turned already.</returns>
-    public bool Place(in QuaternionD turn)
+    public bool Rotate(in QuaternionD turn)
     {
         bool wasPlaced = IsPlaced;
         Turn = turn;

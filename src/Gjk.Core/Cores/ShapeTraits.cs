@@ -10,16 +10,16 @@ internal class ShapeTraits<T>
     where T : struct, ISupportMap
 {
     /// <summary>Those of the type.</summary>
-    public static readonly ShapeTraits<T> Of =
+    public static readonly ShapeTraits<T> Instance =
         default(T) is ILibraryShape shape ? (ShapeTraits<T>)shape.MakeTraits() : new ShapeTraits<T>();
 
     /// <summary>Whether <see cref="ISupportMap.BoundingRadius"/> is the distance of a point of the shape, or nearly so.
     /// Tolerances follow a tight radius, so the library's own shapes report one, and decorators of these; a user's may
     /// be generous, and is measured.</summary>
-    public static readonly bool AreTight = Of.IsTight;
+    public static readonly bool AreTight = Instance.IsTight;
 
     /// <summary>Whether a shape of the type may be placed, so that its core has axes of its own.</summary>
-    public static readonly bool CanBePlaced = Of.MayBePlaced;
+    public static readonly bool CanBePlaced = Instance.MayBePlaced;
 
     /// <inheritdoc cref="AreTight"/>
     protected virtual bool IsTight => false;
@@ -50,8 +50,8 @@ internal interface ILibraryShape : ISupportMap
     /// <summary>A <see cref="ShapeTraits{T}"/> of this type; asked of a <c>default</c> struct.</summary>
     object MakeTraits();
 
-    /// <summary>What a ray sees of it.</summary>
-    /// <returns>False where it is none of the bodies that a ray meets in closed form.</returns>
+    /// <summary>What rays and the searches for a depth see of it.</summary>
+    /// <returns>False where it is none of the bodies that <see cref="FormKind"/> names.</returns>
     bool TryGetForm(out ShapeForm form);
 }
 

@@ -53,17 +53,17 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
     {
         ref readonly Double3 corner = ref Corner(_first, id).Xyz;
         Double3.Write(corner.X, corner.Y, corner.Z, out point);
-        return Has(id);
+        return HasVertex(id);
     }
 
     /// <summary>Whether there is a corner with the id.</summary>
-    public static bool Has(int id) => (uint)id < 3u;
+    public static bool HasVertex(int id) => (uint)id < 3u;
 
     /// <summary>One of three corners that follow each other; the first where there is none with the id. No branch: ids
     /// are unpredictable.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ref readonly T Corner<T>(in T first, int id)
-        where T : struct => ref Uncleared.At(first, Has(id) ? id : 0);
+        where T : struct => ref UnsafeRef.At(first, HasVertex(id) ? id : 0);
 
     /// <summary>The id of the furthest corner.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -121,8 +121,8 @@ internal struct TriangleCore : ISupportMap, ILibraryShape
         // The more level of the two edges at the furthest corner, as for a hull.
         int id = Furthest(b - a, c - a, direction);
         Double3 point = id == 0 ? a : id == 1 ? b : c;
-        Double3 next = corners.Seen((id == 0 ? b : id == 1 ? c : a) - point), up = corners.SeenFrom(direction);
-        Double3 last = corners.Seen((id == 0 ? c : id == 1 ? a : b) - point);
+        Double3 next = corners.ToOuter((id == 0 ? b : id == 1 ? c : a) - point), up = corners.OuterDirection(direction);
+        Double3 last = corners.ToOuter((id == 0 ? c : id == 1 ? a : b) - point);
         bool isNext = FaceTilt.Rise(next, up) <= FaceTilt.Rise(last, up);
         bool isEdge = FaceTilt.IsLevelEdge(isNext ? next : last, up);
         int end = !isEdge ? id : isNext ? (id + 1) % 3 : (id + 2) % 3;

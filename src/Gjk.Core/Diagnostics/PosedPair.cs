@@ -20,7 +20,7 @@ internal struct PosedPair
     /// <summary>Ratio to the offset of centres that were placed in double-double, which loses some 2^-100.</summary>
     private const double FarError = 1.0 / (1L << 45) / (1L << 45);
 
-    private Turn _a, _b;
+    private RowMatrix _a, _b;
 
     /// <summary>Lengths that are turned, and lengths that are added, of which nothing need be left.</summary>
     private double _turned, _added;
@@ -54,8 +54,8 @@ internal struct PosedPair
         Double3 centerA = a.Center, centerB = b.Center;
         pair = default;
         pair.Noise = double.NaN;
-        pair._a = new Turn(poseA.Rotation);
-        pair._b = new Turn(poseB.Rotation);
+        pair._a = new RowMatrix(poseA.Rotation);
+        pair._b = new RowMatrix(poseB.Rotation);
         pair.Size = Radius(ref a) + Radius(ref b);
         pair.Margins = a.Margin + b.Margin;
         if (!(pair.Size >= 0 && poseA.IsValid && poseB.IsValid)) return;
@@ -64,7 +64,7 @@ internal struct PosedPair
         bool isFar = offset > FarCenter * pair.Size;
         pair._turned = pair.Size + (isFar ? FarError / TurnError * offset : offset);
         pair.Between = isFar
-            ? (Double3)(VectorDD.Place(poseB, centerB) - VectorDD.Place(poseA, centerA))
+            ? (Double3)(VectorDD.ToWorld(poseB, centerB) - VectorDD.ToWorld(poseA, centerA))
             : (Double3)poseB.Position - poseA.Position + pair._b.Out(centerB) - pair._a.Out(centerA);
         pair.Measure();
     }
@@ -74,7 +74,7 @@ internal struct PosedPair
         where T : struct, ISupportMap
     {
         pair = default;
-        pair._a = pair._b = new Turn(Quaternion.Identity);
+        pair._a = pair._b = new RowMatrix(Quaternion.Identity);
         pair.Size = pair._turned = Radius(ref shape);
         pair.Margins = shape.Margin;
         pair.Between = local - shape.Center;
@@ -146,11 +146,11 @@ internal struct PosedPair
             : Math.Min(shape.BoundingRadius, CoreExtent.Radius(ref shape) + shape.Margin);
 
     /// <summary>A rotation matrix by its rows: quotients of sums of exact products.</summary>
-    private readonly struct Turn
+    private readonly struct RowMatrix
     {
         private readonly Double3 _x, _y, _z;
 
-        public Turn(Quaternion q)
+        public RowMatrix(Quaternion q)
         {
             double x = q.X, y = q.Y, z = q.Z, w = q.W, xx = x * x, yy = y * y, zz = z * z, ww = w * w;
             double s = 1 / (xx + yy + zz + ww), t = 2 * s;

@@ -176,7 +176,7 @@ internal static class ShapeText
         string name = words.Word("a shape");
         for (ShapeKind kind = ShapeKind.Point; kind < ShapeKind.Custom; kind++)
         {
-            if (Name(kind) == name) return kind;
+            if (Name(kind) == name && Enum.IsDefined(typeof(ShapeKind), kind)) return kind;
         }
 
         throw words.Wrong("is no shape");

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>Directions have any length. These bring one to unit size, by a power of two that rounds nothing, before it
-/// is squared.</summary>
+/// <summary>Directions have any length. These methods scale one to unit size by a power of two, which rounds nothing,
+/// before it is squared.</summary>
 internal static class DirectionRange
 {
     /// <summary>2^600 brings denormal numbers, which have no power of two of their own, into the normal
@@ -28,8 +28,7 @@ internal static class DirectionRange
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 ToSafe(in Double3 direction) => IsOrdinary(direction) ? direction : ToUnit(direction);
 
-    /// <summary>Whether a vector is so large and so small that no product of it with a number of ordinary size leaves
-    /// the range of double.</summary>
+    /// <summary>Whether no product of a vector with a number of ordinary size leaves the range of double.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsOrdinary(in Double3 v)
     {

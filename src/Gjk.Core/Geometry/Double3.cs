@@ -65,8 +65,8 @@ public readonly struct Double3 : IEquatable<Double3>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Double3 Multiply(in Double3 a, in Double3 b) => new(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
 
-    /// <summary>Writes a vector where it is to be. Mono makes a new vector elsewhere, cleared, and copies it, and the
-    /// next step waits for that.</summary>
+    /// <summary>Writes a vector in place. Mono's constructor call would clear a temporary vector and copy it, and the
+    /// next step would wait for the copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static unsafe void Write(double x, double y, double z, out Double3 v)
     {
@@ -164,7 +164,8 @@ public readonly struct Double3 : IEquatable<Double3>
     /// back.</summary>
     public override string ToString() => $"<{Text(X, "R")}, {Text(Y, "R")}, {Text(Z, "R")}>";
 
-    /// <summary>The components for people: nine digits, and 0 for one that is rounding beside the largest.</summary>
+    /// <summary>The components for people: nine digits, and 0 for a component that is only rounding beside the
+    /// largest.</summary>
     internal string ToText()
     {
         double noise = RoundingNoise * LargestMagnitude;

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>The corners that a shape shows of a face, in order around it: see <see cref="ISupportMap.GetFace"/>. It
-/// lives on the stack of a query.</summary>
+/// <summary>The corners of the face that a shape shows in a direction, in order around it: see <see
+/// cref="ISupportMap.GetFace"/>. It lives on the stack of a query.</summary>
 public unsafe ref struct FaceCorners
 {
     /// <summary>How many corners there is room for; further ones are left out. A face with more is shown by some of
@@ -30,7 +30,8 @@ public unsafe ref struct FaceCorners
     /// <summary>The same from the first corner, which is a cone's tip.</summary>
     internal readonly double FirstRadius => Side == RoundSide.Cylinder ? SideRadius : 0;
 
-    /// <summary>How the shape that is asked is seen from outside; null where angles are the same there.</summary>
+    /// <summary>The frame of the outermost shape, as seen from the shape that is asked; null where angles are the same
+    /// in both.</summary>
     internal OuterFrame* Outer { get; set; }
 
     /// <summary>Whether the corners are those of a disc, or of what scaling has made of one.</summary>
@@ -46,19 +47,19 @@ public unsafe ref struct FaceCorners
         _corners[Count++] = new FaceCorner(point, id);
     }
 
-    /// <summary>An edge as it is seen from outside.</summary>
-    internal readonly Double3 Seen(in Double3 edge) => Outer == null ? edge : Outer->Outward(edge);
+    /// <summary>An edge in the outermost frame.</summary>
+    internal readonly Double3 ToOuter(in Double3 edge) => Outer == null ? edge : Outer->Outward(edge);
 
-    /// <summary>The direction in which the face is asked for as it is outside.</summary>
-    internal readonly Double3 SeenFrom(in Double3 direction) => Outer == null ? direction : Outer->Direction;
+    /// <summary>The direction in which the face is asked for, in the outermost frame.</summary>
+    internal readonly Double3 OuterDirection(in Double3 direction) => Outer == null ? direction : Outer->Direction;
 
-    /// <summary>How far a unit normal looks along the direction: to be compared with that of others, whatever the
-    /// direction's length.</summary>
-    internal readonly double Along(in Double3 normal, in Double3 direction) =>
+    /// <summary>The cosine, in the outermost frame, between a unit normal and the direction, times the direction's
+    /// length if both frames are one: for comparing normals.</summary>
+    internal readonly double OuterCosine(in Double3 normal, in Double3 direction) =>
         Outer == null ? Double3.Dot(normal, direction) : Outer->Cosine(normal);
 
-    /// <summary><see cref="Along"/> for the local axes as normals.</summary>
-    internal readonly Double3 AlongAxes(in Double3 direction) => Outer == null
+    /// <summary><see cref="OuterCosine"/> for the local axes as normals.</summary>
+    internal readonly Double3 OuterCosines(in Double3 direction) => Outer == null
         ? direction
         : new(
             Outer->Cosine(new Double3(1, 0, 0)), Outer->Cosine(new Double3(0, 1, 0)),

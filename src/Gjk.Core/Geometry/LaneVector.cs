@@ -14,7 +14,7 @@ internal struct LaneVector
     }
 #endif
 
-    /// <summary>The vector from one point to another, written where it is to be.</summary>
+    /// <summary>The vector from one point to another, written in place.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Between(in Double3 from, in Double3 to, out LaneVector vector)
     {

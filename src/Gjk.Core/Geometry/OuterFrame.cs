@@ -1,8 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>How the frame in which a shape keeps its faces is seen from outside where an uneven scale lies between.
-/// Angles are not the same there: what lies level inside may be steep outside, and hidden by what is more
-/// level.</summary>
+/// <summary>The frame in which a shape keeps its faces, as seen from outside an uneven scale. The scale changes angles:
+/// a face that is level inside may be steep outside, where another face is more level.</summary>
 internal readonly struct OuterFrame
 {
     /// <summary>The images of the inner axes, at most of unit length; their size says nothing.</summary>

@@ -11,7 +11,7 @@ internal struct QuaternionD(double x, double y, double z, double w)
 
     public static implicit operator QuaternionD(Quaternion q) => new(q.X, q.Y, q.Z, q.W);
 
-    /// <summary>The same, written where it is to be.</summary>
+    /// <summary>Widens in place, without a copy.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Widen(in Quaternion q, out QuaternionD wide)
     {
@@ -35,7 +35,7 @@ internal struct QuaternionD(double x, double y, double z, double w)
     /// <summary>The turn by an angle in radians about an axis of unit length.</summary>
     public static QuaternionD About(in Double3 axis, double angle)
     {
-        SineCosine.Of(0.5 * angle, out double sine, out double cosine);
+        SineCosine.Compute(0.5 * angle, out double sine, out double cosine);
         return new QuaternionD(axis.X * sine, axis.Y * sine, axis.Z * sine, cosine);
     }
 

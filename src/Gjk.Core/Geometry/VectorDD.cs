@@ -28,7 +28,7 @@ internal readonly struct VectorDD(in DoubleDouble x, in DoubleDouble y, in Doubl
     }
 
     /// <summary>A local point in the world.</summary>
-    public static VectorDD Place(in RigidPose pose, in VectorDD v) =>
+    public static VectorDD ToWorld(in RigidPose pose, in VectorDD v) =>
         (VectorDD)(Double3)pose.Position + Rotate(pose.Rotation, v);
 
     /// <summary>A point of the world in a frame.</summary>

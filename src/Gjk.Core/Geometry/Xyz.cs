@@ -6,8 +6,8 @@ global using Xyz = Gjk.Core.Double3;
 
 namespace Gjk.Core;
 
-/// <summary>Three doubles to compute with: a register whose last lane is nobody's where there are such, or a
-/// <see cref="Double3"/>. What is written with either has the same bits.</summary>
+/// <summary>Three doubles to compute with: a register, whose last lane is unused, where the hardware has such, else a
+/// <see cref="Double3"/>. Both give the same bits.</summary>
 internal static class XyzExtensions
 {
 #if NET
@@ -37,7 +37,7 @@ internal static class XyzExtensions
     public static Xyz Load(this in Double3 v) =>
         Vector256.LoadUnsafe(in v.X) & Vector256.Create(-1L, -1, -1, 0).AsDouble();
 
-    /// <summary>Writes the components where they are to be, and a double more.</summary>
+    /// <summary>Writes the three components and one double more.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(this in Xyz v, out Double3 to)
     {
@@ -64,16 +64,16 @@ internal static class XyzExtensions
         this Xyz onCore, Xyz normal, double margin, in Double3 center, double unit, out Xyz point) =>
         point = (onCore + normal * margin + center.ToXyz()) * unit;
 
-    /// <summary>A vector turned, and what is added to it.</summary>
+    /// <summary>A point, rotated and translated.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Place(this in RotationD matrix, Xyz v, in Vector3 position, out Xyz placed) =>
+    public static void Transform(this in RotationD matrix, Xyz v, in Vector3 position, out Xyz placed) =>
         placed = matrix.Rotate(v) + ((Double3)position).ToXyz();
 
-    /// <summary>A vector turned, and reversed.</summary>
+    /// <summary>The opposite of a rotated vector.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Opposite(this in RotationD matrix, Xyz v, out Xyz opposite) => opposite = -matrix.Rotate(v);
 
-    /// <summary>What is left of a vector without one that is turned and moved.</summary>
+    /// <summary>A point less another one that is rotated and translated.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Subtract(
         this in RotationD matrix, in Xyz from, in Xyz v, in Double3 translation, out Double3 difference) =>
@@ -81,7 +81,7 @@ internal static class XyzExtensions
             ? (from - (matrix.Rotate(v) + translation.ToXyz())).ToDouble3()
             : from.ToDouble3() - (matrix.Rotate(v.ToDouble3()) + translation);
 
-    /// <summary>A vector turned.</summary>
+    /// <summary>A vector, rotated.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Rotate(this in RotationD matrix, in Double3 v, out Xyz turned) =>
         turned = Vector256.IsHardwareAccelerated
@@ -162,7 +162,7 @@ internal static class XyzExtensions
             (onCore.X + normal.X * margin + center.X) * unit, (onCore.Y + normal.Y * margin + center.Y) * unit,
             (onCore.Z + normal.Z * margin + center.Z) * unit, out point);
 
-    public static void Place(this in RotationD matrix, in Double3 v, in Vector3 position, out Double3 placed)
+    public static void Transform(this in RotationD matrix, in Double3 v, in Vector3 position, out Double3 placed)
     {
         matrix.Rotate(v, out double x, out double y, out double z);
         Double3.Write(x + position.X, y + position.Y, z + position.Z, out placed);

@@ -32,7 +32,7 @@ internal sealed class HullFaces(ConvexHull hull, FaceRegions regions)
         double most = 0;
         for (int i = _vertexStart[vertex]; i < _vertexStart[vertex + 1]; i++)
         {
-            double along = corners.Along(_normals[_vertexFaces[i]], direction);
+            double along = corners.OuterCosine(_normals[_vertexFaces[i]], direction);
             if (along <= most) continue;
             most = along;
             face = _vertexFaces[i];
@@ -56,11 +56,11 @@ internal sealed class HullFaces(ConvexHull hull, FaceRegions regions)
         hull.GetVertex(vertex, out Double3 point);
         int end = -1;
         double least = double.PositiveInfinity;
-        Double3 up = corners.SeenFrom(direction);
+        Double3 up = corners.OuterDirection(direction);
         for (int i = hull.NeighborStart[vertex]; i < hull.NeighborStart[vertex + 1]; i++)
         {
             hull.GetVertex(hull.Neighbors[i], out Double3 other);
-            Double3 edge = corners.Seen(other - point);
+            Double3 edge = corners.ToOuter(other - point);
             double rise = FaceTilt.Rise(edge, up);
             if (!FaceTilt.IsLevelEdge(edge, up) || rise >= least) continue;
             least = rise;

@@ -43,10 +43,10 @@ internal static class MinkowskiDifference
         return idA | idB;
     }
 
-    /// <summary>Makes the vertex of two support points, where they are now.</summary>
+    /// <summary>Makes the vertex of two shape vertices, given by their ids, at the present frame.</summary>
     /// <returns>False when a shape has no vertex with the id.</returns>
     [MethodImpl(Jit.Step)]
-    public static bool TryPlace<TA, TB>(
+    public static bool TryMakeVertex<TA, TB>(
         ref TA a, ref TB b, in PairFrame frame, int idA, int idB, ref DifferenceVertex vertex)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
@@ -57,8 +57,8 @@ internal static class MinkowskiDifference
         return found;
     }
 
-    /// <summary>Brings the vertices of a simplex to where the frame's translation has them now.</summary>
-    public static void Move(in PairFrame frame, ref Simplex simplex)
+    /// <summary>Computes the vertices of a simplex anew for the frame's translation.</summary>
+    public static void Retranslate(in PairFrame frame, ref Simplex simplex)
     {
         for (int i = 0; i < simplex.Count; i++)
         {

@@ -97,7 +97,7 @@ internal struct PairFrame
     /// <summary>Both margins.</summary>
     public readonly double Margins => MarginA + MarginB;
 
-    /// <summary>Nothing is left of either shape without its margin: points and spheres.</summary>
+    /// <summary>Whether both cores are points: without its margin nothing is left of either shape.</summary>
     public readonly bool ArePoints => Radius == Margins;
 
     /// <summary>The first search direction: from B's centre to A's, or any where they coincide.</summary>
@@ -141,12 +141,12 @@ internal struct PairFrame
             poseA, poseB, placedA, placedB, out frame.RotationA, out frame.Rotation, out frame.Inverse,
             out frame._areRotations);
         Double3 centerA = a.Center, centerB = b.Center;
-        Uncleared.Begin(out frame._turnA);
-        Uncleared.Begin(out frame._turnB);
+        UnsafeRef.SkipInit(out frame._turnA);
+        UnsafeRef.SkipInit(out frame._turnB);
         if (placedA is not null || placedB is not null)
         {
-            Turn(placedA, ref frame._turnA, ref centerA);
-            Turn(placedB, ref frame._turnB, ref centerB);
+            ToCore(placedA, ref frame._turnA, ref centerA);
+            ToCore(placedB, ref frame._turnB, ref centerB);
         }
 
         Double3.Write(centerA.X, centerA.Y, centerA.Z, out frame.CenterA);
@@ -181,7 +181,7 @@ internal struct PairFrame
         frame.Magnitude = radius + (frame.MarginA + frame.MarginB) + frame.Translation.SumOfMagnitudes;
     }
 
-    /// <summary>The radii that are no larger than they need be.</summary>
+    /// <summary>The sum of the bounding radii that are tight.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double TightRadius<TA, TB>(double radiusA, double radiusB)
         where TA : struct, ISupportMap
@@ -191,12 +191,13 @@ internal struct PairFrame
     /// <summary>The power of two that brings the magnitude to between 1 and 2.</summary>
     public readonly double UnitFactor => Magnitude > 0 ? 1 / PowerOfTwo.AtMost(Magnitude) : 1;
 
-    /// <summary>Measures the shapes whose bounding radii may be generous, by a support in each direction of each
-    /// axis.</summary>
+    /// <summary>Measures the shapes whose bounding radii may be generous, by a support in each direction of each axis.
+    /// What takes a tolerance or a band from the radii begins with it.</summary>
     public void TightenRadii<TA, TB>(ref TA a, ref TB b)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
+        if (ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight) return;
         if (!ShapeTraits<TA>.AreTight) Tighten(ref a, MarginA, ref RadiusA);
         if (!ShapeTraits<TB>.AreTight) Tighten(ref b, MarginB, ref RadiusB);
         Magnitude = RadiusA + RadiusB + (MarginA + MarginB) + Translation.SumOfMagnitudes;
@@ -205,7 +206,7 @@ internal struct PairFrame
     private static void Tighten<T>(ref T shape, double margin, ref double radius)
         where T : struct, ISupportMap
     {
-        T core = ShapeTraits<T>.Of.InCoreAxes(shape);
+        T core = ShapeTraits<T>.Instance.InCoreAxes(shape);
         radius = Math.Min(radius, CoreExtent.Radius(ref core) + margin);
     }
 
@@ -252,9 +253,9 @@ internal struct PairFrame
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Turn(Placement? placed, ref QuaternionD turn, ref Double3 center)
+    private static void ToCore(Placement? placed, ref QuaternionD turn, ref Double3 center)
     {
-        turn = (placed ?? Placement.None).Turn;
+        turn = (placed ?? Placement.None).UnitRotation;
         if (placed is not null) center = placed.CenterInCore;
     }
 

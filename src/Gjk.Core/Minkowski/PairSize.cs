@@ -12,9 +12,9 @@ internal struct PairSize
     /// <summary>In solver units.</summary>
     public readonly double Value => _a + _b;
 
-    /// <summary>Begins with the bounding radii where they are tight, else with the margins.</summary>
+    /// <summary>Starts with the bounding radii where they are tight, else with the margins.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Begin<TA, TB>(in PairFrame frame, out PairSize size)
+    public static void Make<TA, TB>(in PairFrame frame, out PairSize size)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -22,9 +22,9 @@ internal struct PairSize
         size._b = ShapeTraits<TB>.AreTight ? frame.RadiusB : frame.MarginB;
     }
 
-    /// <summary>Takes note of a support point of each shape, measured from the centres.</summary>
+    /// <summary>Enlarges the size to a support point of each shape, measured from its centre.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void See(in PairFrame frame, in Double3 onA, in Double3 onB)
+    public void Observe(in PairFrame frame, in Double3 onA, in Double3 onB)
     {
         _a = Math.Max(_a, Math.Min(onA.Length + frame.MarginA, frame.RadiusA));
         _b = Math.Max(_b, Math.Min(onB.Length + frame.MarginB, frame.RadiusB));

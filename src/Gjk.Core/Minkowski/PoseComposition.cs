@@ -28,8 +28,8 @@ internal static class PoseComposition
         double normA = qa.LengthSquared, normB = qb.LengthSquared, one = 1 / (normA * normB);
         if (placedA is not null || placedB is not null)
         {
-            Turn(ref qa, placedA);
-            Turn(ref qb, placedB);
+            ToCore(ref qa, placedA);
+            ToCore(ref qb, placedB);
         }
 
         double ax = qa.X, ay = qa.Y, az = qa.Z, aw = qa.W, bx = qb.X, by = qb.Y, bz = qb.Z, bw = qb.W;
@@ -46,7 +46,7 @@ internal static class PoseComposition
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Turn(ref QuaternionD q, Placement? placed) => q *= (placed ?? Placement.None).Turn;
+    private static void ToCore(ref QuaternionD q, Placement? placed) => q *= (placed ?? Placement.None).UnitRotation;
 
 #if NET
     /// <summary>The lanes of a quaternion in the orders that its products need.</summary>
@@ -59,7 +59,7 @@ internal static class PoseComposition
     {
         Vector256<double> a = Lanes(poseA), b = Lanes(poseB);
         Vector128<double> norms = NormsOf(a, b);
-        if (placedA is not null || placedB is not null) (a, b) = (Turned(a, placedA), Turned(b, placedB));
+        if (placedA is not null || placedB is not null) (a, b) = (ToCore(a, placedA), ToCore(b, placedB));
         double normA = norms.ToScalar(), normB = norms.GetElement(1), one = 1 / (normA * normB);
         Vector256<double> q = ConjugateTimes(a, b);
         Diagonals(
@@ -81,8 +81,8 @@ internal static class PoseComposition
 
     /// <summary>The rotation of a core that is turned inside its pose.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Vector256<double> Turned(Vector256<double> q, Placement? placed) =>
-        ConjugateTimes(q ^ XyzExtensions.SignBits, Vector256.LoadUnsafe(in (placed ?? Placement.None).Turn.X));
+    private static Vector256<double> ToCore(Vector256<double> q, Placement? placed) =>
+        ConjugateTimes(q ^ XyzExtensions.SignBits, Vector256.LoadUnsafe(in (placed ?? Placement.None).UnitRotation.X));
 
     /// <summary>The squared lengths, ((x² + y²) + z²) + w².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -22,7 +22,7 @@ internal readonly struct UnitSized<T>(in T inner, double factor) : ISupportMap, 
     bool ILibraryShape.TryGetForm(out ShapeForm form)
     {
         T inner = _inner;
-        return ShapeTraits<T>.Of.TryGetForm(ref inner, out form);
+        return ShapeTraits<T>.Instance.TryGetForm(ref inner, out form);
     }
 
     public int Support(in Double3 direction, out Double3 point)

@@ -1,8 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>The support points and vertices of cores as <see cref="Xyz"/>. Those of boxes, meshes, segments and
-/// triangles, the commonest, come in registers where there are such. Which a core is, is known when the code is
-/// compiled; the bits are those of its own support.</summary>
+/// <summary>The support points and vertices of cores as <see cref="Xyz"/>. Boxes, meshes, segments and triangles, the
+/// commonest, give them in registers where the hardware has such. The core's type is known at compile time. The bits
+/// are those of the core's own support.</summary>
 internal static class XyzSupport
 {
 #if NET
@@ -59,7 +59,7 @@ internal static class XyzSupport
         if (typeof(T) == typeof(HullCore))
         {
             vertex = Unsafe.As<T, HullCore>(ref shape).Lanes(id);
-            return Unsafe.As<T, HullCore>(ref shape).Has(id);
+            return Unsafe.As<T, HullCore>(ref shape).HasVertex(id);
         }
 
         if (typeof(T) == typeof(BoxCore) && Vector256.IsHardwareAccelerated)

@@ -7,7 +7,7 @@ internal static class Balls
 {
     /// <summary>Nothing is left of either shape without its margin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Are<TA, TB>(ref TA a, ref TB b)
+    public static bool AreBalls<TA, TB>(ref TA a, ref TB b)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         a.BoundingRadius + b.BoundingRadius == a.Margin + b.Margin;
@@ -21,7 +21,7 @@ internal static class Balls
     {
         Double3 centerA = a.Center, centerB = b.Center;
         double marginA = a.Margin, marginB = b.Margin, margins = marginA + marginB;
-        double turnA = InverseTurn(poseA.Rotation), turnB = InverseTurn(poseB.Rotation);
+        double turnA = RotationScale(poseA.Rotation), turnB = RotationScale(poseB.Rotation);
         Double3 between = PairFrame.BetweenCenters(poseA, centerA, poseB, centerB);
         double gap = BallGap(between, marginA, marginB, out double root);
         if (!IsBallGap(gap, marginA, marginB) || !(turnA > 0) || !(turnB > 0) || float.IsNaN(maxDistance))
@@ -31,8 +31,8 @@ internal static class Balls
         }
 
         Double3 normal = root > 0 ? between * (1 / root) : isSigned ? new Double3(1, 0, 0) : default;
-        Back(poseA.Rotation, turnA, normal, out Double3 inA);
-        Back(poseB.Rotation, turnB, normal, out Double3 inB);
+        InverseRotate(poseA.Rotation, turnA, normal, out Double3 inA);
+        InverseRotate(poseB.Rotation, turnB, normal, out Double3 inB);
         bool touching = gap <= GjkTolerances.Touch * margins;
         if (!touching && (float)gap > Math.Max(maxDistance, 0))
         {
@@ -43,13 +43,13 @@ internal static class Balls
         // Apart, the points of the balls; touching, one that divides the line between the centres as the radii do.
         double share = touching && !isSigned && margins > 0 ? root / margins : 1;
         double reachA = share * marginA, reachB = share * marginB;
-        Place(poseA, centerA).Plus(normal, reachA, out Double3 worldA);
+        ToWorld(poseA, centerA).Plus(normal, reachA, out Double3 worldA);
         worldA.Plus(normal, gap, out Double3 worldB);
         bool isFromB = DistanceFinish.IsSmallerB(marginA, marginB, centerB, DistanceFinish.MuchSmaller)
             || DistanceFinish.IsFarApart(gap, marginB, centerB);
         if (isFromB)
         {
-            Place(poseB, centerB).Plus(normal, -reachB, out worldB);
+            ToWorld(poseB, centerB).Plus(normal, -reachB, out worldB);
             if (!DistanceFinish.IsFarApart(gap, marginA, centerA)) worldB.Plus(normal, -gap, out worldA);
         }
 
@@ -81,8 +81,8 @@ internal static class Balls
     {
         Double3 between = PairFrame.BetweenCenters(poseA, a.Center, poseB, b.Center);
         double gap = BallGap(between, a.Margin, b.Margin, out _);
-        if (!IsBallGap(gap, a.Margin, b.Margin) || !(InverseTurn(poseA.Rotation) > 0)
-            || !(InverseTurn(poseB.Rotation) > 0))
+        if (!IsBallGap(gap, a.Margin, b.Margin) || !(RotationScale(poseA.Rotation) > 0)
+            || !(RotationScale(poseB.Rotation) > 0))
         {
             return GjkStatus.InvalidInput;
         }
@@ -111,7 +111,7 @@ internal static class Balls
 
     /// <summary>2 / |q|², or 0 where that is no rotation.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double InverseTurn(in Quaternion q)
+    public static double RotationScale(in Quaternion q)
     {
         double norm = (double)q.X * q.X + (double)q.Y * q.Y + (double)q.Z * q.Z + (double)q.W * q.W;
         return RigidPose.IsUnit(norm) ? 2 / norm : 0;
@@ -119,7 +119,7 @@ internal static class Balls
 
     /// <summary>v turned by the inverse of q: v + w t + t × u with t = s v × u and s = 2 / |q|².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Back(in Quaternion q, double s, in Double3 v, out Double3 turned)
+    private static void InverseRotate(in Quaternion q, double s, in Double3 v, out Double3 turned)
     {
         double x = q.X, y = q.Y, z = q.Z, w = q.W;
         double tx = (v.Y * z - v.Z * y) * s, ty = (v.Z * x - v.X * z) * s, tz = (v.X * y - v.Y * x) * s;
@@ -129,6 +129,6 @@ internal static class Balls
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Double3 Place(in RigidPose pose, in Double3 center) =>
+    public static Double3 ToWorld(in RigidPose pose, in Double3 center) =>
         center.SumOfMagnitudes == 0 ? pose.Position : DistanceFinish.ToWorld(pose, center);
 }

@@ -17,7 +17,7 @@ public static unsafe partial class ConvexQuery
     /// <param name="options">Which contacts are passed; by default none.</param>
     /// <returns>The first fraction at which the closed shapes share a point, the point, and the normal. The fraction is
     /// the true one, rounded to float; along the motion it is exact to 1e-7 of the size or the way, whichever is
-    /// larger. On curved cores (cylinder, cone, ellipsoid, tapered capsule) shapes touch when they are within 1e-9 of
+    /// larger. On curved cores (those that <c>Distance</c> names) shapes touch when they are within 1e-9 of
     /// the size. Shapes that overlap at the start give <see cref="CastStatus.OverlappingAtStart"/> with normal and
     /// depth, those of <c>SignedDistance</c>. Shapes that only touch there, whose signed distance is 0, are a hit at 0
     /// if the motion takes them into each other (curved cores by more than counts as touching), and a miss if they
@@ -63,7 +63,7 @@ public static unsafe partial class ConvexQuery
             if (isSettled) return found;
             var contact = new SettledContact(found);
             Settle(
-                ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), poseB, (Double3)translationB - translationA,
+                ref PairQuery.AsRef(a), poseA, ref PairQuery.AsRef(b), poseB, (Double3)translationB - translationA,
                 found.Fraction, Math.Max(maxFraction, 0), options, ref contact);
             return contact.Apply(found, maxFraction);
         }
@@ -86,19 +86,19 @@ public static unsafe partial class ConvexQuery
             _translationB = translationB;
             _motion = (Double3)translationB - translationA;
             _maxFraction = maxFraction < 0 ? 0 : maxFraction;
-            Uncleared.Begin(out _cast);
+            UnsafeRef.SkipInit(out _cast);
         }
 
         readonly bool IPairSolver<CastResult>.TryFormula<TA, TB>(
             ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out CastResult result)
         {
-            if (!Balls.Are(ref a, ref b))
+            if (!Balls.AreBalls(ref a, ref b))
                 return TryCastPoint(ref a, poseA, _translationA, ref b, poseB, _translationB, _maxFraction, out result);
             result = CastBalls(ref a, poseA, _translationA, ref b, poseB, _translationB, _maxFraction);
             return true;
         }
 
-        readonly void IPairSolver<CastResult>.OfHalfSpace<T>(
+        readonly void IPairSolver<CastResult>.SolveHalfSpace<T>(
             ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out CastResult result)
         {
             bool isInvalid = !(_motion + _translationA).IsFinite || float.IsNaN(_maxFraction);
@@ -120,7 +120,9 @@ public static unsafe partial class ConvexQuery
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out CastResult result)
         {
             result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
-            return frame.IsValid && (_motion + _translationA).IsFinite && !float.IsNaN(_maxFraction);
+            if (!frame.IsValid || !(_motion + _translationA).IsFinite || float.IsNaN(_maxFraction)) return false;
+            frame.TightenRadii(ref a, ref b);
+            return true;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]

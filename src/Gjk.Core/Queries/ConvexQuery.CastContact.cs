@@ -21,7 +21,7 @@ public static unsafe partial class ConvexQuery
         /// <summary>Asks how deep the shapes overlap at the start. Where they only touch, a normal that is known
         /// stays.</summary>
         /// <returns>Whether they do by more than touching.</returns>
-        public bool LookAtStart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
+        public bool MeasureAtStart<TA, TB>(ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
@@ -72,15 +72,15 @@ public static unsafe partial class ConvexQuery
         bool isStart = contact.Status == CastStatus.OverlappingAtStart, isDeep = false;
         if (isStart)
         {
-            isDeep = contact.LookAtStart(ref a, poseA, ref b, poseB);
+            isDeep = contact.MeasureAtStart(ref a, poseA, ref b, poseB);
             if (contact.Status != CastStatus.OverlappingAtStart) return;
         }
 
         if (isDeep && !options.PassesShallow) return;
-        DeepeningPart part = options.PassesShallow
-            ? new DeepeningPart(fraction, most, options.AllowedDepth, AllowedSlope)
-            : new DeepeningPart(0, double.PositiveInfinity, 0, 0);
-        var question = new DeepeningQuestion(motion, part);
+        DeepeningRange range = options.PassesShallow
+            ? new DeepeningRange(fraction, most, options.AllowedDepth, AllowedSlope)
+            : new DeepeningRange(0, double.PositiveInfinity, 0, 0);
+        var question = new DeepeningQuestion(motion, range);
         PairQuery.Run(a, poseA, b, poseB, ref question, out MotionVerdict verdict);
         contact.Iterations += question.Iterations;
         if (verdict == MotionVerdict.Contradiction) contact.Status = CastStatus.InvalidShape;
@@ -89,11 +89,11 @@ public static unsafe partial class ConvexQuery
     }
 
     /// <summary>Whether a contact deepens.</summary>
-    private struct DeepeningQuestion(in Double3 motion, in DeepeningPart part) : IPairSolver<MotionVerdict>
+    private struct DeepeningQuestion(in Double3 motion, in DeepeningRange range) : IPairSolver<MotionVerdict>
     {
         public int Iterations = 0;
         private readonly Double3 _motion = motion;
-        private readonly DeepeningPart _part = part;
+        private readonly DeepeningRange _range = range;
         private MotionVerdict _verdict = MotionVerdict.Undecided;
 
         readonly bool IPairSolver<MotionVerdict>.TryFormula<TA, TB>(
@@ -103,23 +103,25 @@ public static unsafe partial class ConvexQuery
             return false;
         }
 
-        readonly void IPairSolver<MotionVerdict>.OfHalfSpace<T>(
+        readonly void IPairSolver<MotionVerdict>.SolveHalfSpace<T>(
             ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out MotionVerdict result) =>
-            result = pair.Deepens(pair.IsSwapped ? -_motion : _motion, _part);
+            result = pair.Deepens(pair.IsSwapped ? -_motion : _motion, _range);
 
         readonly bool IPairSolver<MotionVerdict>.TryBegin<TA, TB>(
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out MotionVerdict result)
         {
             result = MotionVerdict.Undecided;
-            return frame.IsValid;
+            if (!frame.IsValid) return false;
+            frame.TightenRadii(ref a, ref b);
+            return true;
         }
 
         [MethodImpl(MethodImplOptions.NoInlining)]
         void ICoreSolver.Solve<TA, TB>(ref TA a, ref TB b, ref PairFrame frame, ref SolverState state)
         {
             Double3 motion = frame.RotationA.InverseRotate(_motion) * (1 / frame.Unit);
-            var part = new DeepeningPart(_part.From, _part.To, _part.Allowed / frame.Unit, _part.Slope);
-            _verdict = DeepeningSolver<TA, TB>.Solve(ref a, ref b, ref frame, motion, part, ref Iterations);
+            var range = new DeepeningRange(_range.From, _range.To, _range.Allowed / frame.Unit, _range.Slope);
+            _verdict = DeepeningSolver<TA, TB>.Solve(ref a, ref b, ref frame, motion, range, ref Iterations);
         }
 
         readonly void IPairSolver<MotionVerdict>.Finish(

@@ -34,7 +34,7 @@ public static partial class ConvexQuery
         ref CastResult result)
         where T : struct, ISupportMap
     {
-        double turn = Balls.InverseTurn(pose.Rotation), length = motion.Length;
+        double turn = Balls.RotationScale(pose.Rotation), length = motion.Length;
         double reach = Math.Max(maxFraction, 0) * length * (1 + GjkTolerances.FloatBand);
         var line = new WorldRay(point.Position, motion, length, reach);
         if (!IsRay(pose, turn, line) || !point.IsValid || !Guard.IsFinite(translation)
@@ -104,7 +104,7 @@ public static partial class ConvexQuery
         if (CastSolver.IsBeyond(fraction, most)) return CastResult.Nothing(CastStatus.Miss, most, 1);
         Double3 normal = nearest + axis * (along - way);
         normal = radii > 0 ? normal * (1 / normal.Length) : -axis;
-        Double3 point = Balls.Place(poseA, a.Center) + normal * a.Margin + (Double3)translationA * fraction;
+        Double3 point = Balls.ToWorld(poseA, a.Center) + normal * a.Margin + (Double3)translationA * fraction;
         return new CastResult(CastStatus.Hit, fraction, (Vector3)point, (Vector3)normal, 1);
     }
 }

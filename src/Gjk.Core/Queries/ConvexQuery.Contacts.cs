@@ -31,8 +31,8 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         ContactPlane* plane = stackalloc ContactPlane[1];
-        Uncleared.Begin(out manifold);
-        AskContacts(a, poseA, b, poseB, maxGap, null, plane, ref manifold, out DistanceResult result);
+        UnsafeRef.SkipInit(out manifold);
+        SolveContacts(a, poseA, b, poseB, maxGap, null, plane, ref manifold, out DistanceResult result);
         return result;
     }
 
@@ -56,10 +56,10 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         ContactPlane* plane = stackalloc ContactPlane[1];
-        Uncleared.Begin(out manifold);
+        UnsafeRef.SkipInit(out manifold);
         fixed (WarmStart* warm = &warmStart)
         {
-            AskContacts(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out DistanceResult result);
+            SolveContacts(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out DistanceResult result);
             return result;
         }
     }
@@ -69,10 +69,10 @@ public static unsafe partial class ConvexQuery
         in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float maxGap,
         ref ContactPlane plane, out ContactManifold manifold)
     {
-        Uncleared.Begin(out manifold);
+        UnsafeRef.SkipInit(out manifold);
         fixed (ContactPlane* found = &plane)
         {
-            AskContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold, out DistanceResult result);
+            SolveContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold, out DistanceResult result);
             return result;
         }
     }
@@ -103,34 +103,34 @@ public static unsafe partial class ConvexQuery
         ref ContactPlane plane, ref ContactManifold manifold)
     {
         plane.SetAlong(plane.Frame.RotationA.InverseRotate(normal));
-        ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(a) : a;
-        ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Of.InCoreAxes(b) : b;
+        ConvexShape coreA = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Instance.InCoreAxes(a) : a;
+        ConvexShape coreB = plane.Frame.IsPlaced ? ShapeTraits<ConvexShape>.Instance.InCoreAxes(b) : b;
         TryAddFaces(ref coreA, poseA, ref coreB, ref plane, float.NegativeInfinity, maxGap, ref manifold, out _);
     }
 
     /// <summary>Asks in the order that <see cref="PairOrder"/> has.</summary>
-    private static void AskContacts<TA, TB>(
+    private static void SolveContacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
         ContactPlane* plane, ref ContactManifold manifold, out DistanceResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         plane->IsExchanged =
-            PairOrder.IsExchanged(ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), poseB);
+            PairOrder.IsExchanged(ref PairQuery.AsRef(a), poseA, ref PairQuery.AsRef(b), poseB);
         if (!plane->IsExchanged)
         {
-            AskInOrder(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out result);
+            SolveInOrder(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out result);
             return;
         }
 
         if (warm != null) warm->Exchange();
-        AskInOrder(b, poseB, a, poseA, maxGap, warm, plane, ref manifold, out result);
+        SolveInOrder(b, poseB, a, poseA, maxGap, warm, plane, ref manifold, out result);
         if (warm != null) warm->Exchange();
         DistanceResult.Exchange(ref result);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void AskInOrder<TA, TB>(
+    private static void SolveInOrder<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
         ContactPlane* plane, ref ContactManifold manifold, out DistanceResult result)
         where TA : struct, ISupportMap
@@ -148,7 +148,7 @@ public static unsafe partial class ConvexQuery
 
         manifold.Begin(plane->IsExchanged ? Opposite.Of(result.Normal) : result.Normal);
         bool isKnown = plane->Normal.LengthSquared > 0;
-        if (isKnown && HalfSpacePair.Is(ref PairQuery.Inward(a)))
+        if (isKnown && HalfSpacePair.IsHalfSpace(ref PairQuery.AsRef(a)))
         {
             var patch = new HalfSpacePatch(plane->Normal, plane->Size);
             AddPlacedPoints(patch, poseA, b, ref *plane, result, mostGap, ref manifold);
@@ -160,7 +160,7 @@ public static unsafe partial class ConvexQuery
         else
         {
             AddPoints(
-                ref PairQuery.Inward(a), poseA, ref PairQuery.Inward(b), ref *plane, result, mostGap, ref manifold);
+                ref PairQuery.AsRef(a), poseA, ref PairQuery.AsRef(b), ref *plane, result, mostGap, ref manifold);
         }
     }
 
@@ -172,8 +172,8 @@ public static unsafe partial class ConvexQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a);
-        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b);
+        TA coreA = ShapeTraits<TA>.Instance.InCoreAxes(a);
+        TB coreB = ShapeTraits<TB>.Instance.InCoreAxes(b);
         AddPoints(ref coreA, poseA, ref coreB, ref plane, result, maxGap, ref manifold);
     }
 

@@ -13,8 +13,9 @@ public static unsafe partial class ConvexQuery
     /// with <see cref="GjkStatus.BeyondMaxDistance"/>. Below 0 counts as 0; NaN gives
     /// <see cref="GjkStatus.InvalidInput"/>.</param>
     /// <returns>The true distance of the shapes as given, rounded to float; on curved cores (cylinder, cone, ellipsoid,
-    /// tapered capsule) within 1e-6 of the larger of size and distance. A <c>default</c> pose or shape, or a NaN, gives
-    /// <see cref="GjkStatus.InvalidInput"/>. See <see cref="DistanceResult"/>.</returns>
+    /// tapered capsule, and whatever has a margin that was scaled unevenly) within 1e-6 of the larger of size and
+    /// distance. A <c>default</c> pose or shape, or a NaN, gives <see cref="GjkStatus.InvalidInput"/>. See
+    /// <see cref="DistanceResult"/>.</returns>
     public static DistanceResult Distance<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxDistance = float.PositiveInfinity)
         where TA : struct, ISupportMap

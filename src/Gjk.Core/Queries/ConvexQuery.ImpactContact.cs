@@ -14,7 +14,7 @@ public static unsafe partial class ConvexQuery
         if (found.Status == CastStatus.OverlappingAtStart)
         {
             var contact = new SettledContact(found);
-            bool isDeep = contact.LookAtStart(ref a, question.PoseA, ref b, question.PoseB);
+            bool isDeep = contact.MeasureAtStart(ref a, question.PoseA, ref b, question.PoseB);
             bool isKnown = contact.Status == CastStatus.OverlappingAtStart;
             if (isKnown && !isDeep) contact.Status = CastStatus.Hit;
             found = contact.Apply(found, 0);
@@ -22,7 +22,7 @@ public static unsafe partial class ConvexQuery
         }
 
         question.Follow(found, options);
-        return question.AskShapes(ref a, ref b);
+        return question.Run(ref a, ref b);
     }
 
     private partial struct ImpactQuestion
@@ -37,7 +37,7 @@ public static unsafe partial class ConvexQuery
             where TB : struct, ISupportMap
         {
             found = default;
-            if (!Balls.Are(ref a, ref b) || !IsValid) return false;
+            if (!Balls.AreBalls(ref a, ref b) || !IsValid) return false;
             Balls.Distance(
                 ref a, _motionA.Pose, ref b, _motionB.Pose, float.PositiveInfinity, isSigned: false,
                 out DistanceResult start);

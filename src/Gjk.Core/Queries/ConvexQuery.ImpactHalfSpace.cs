@@ -5,15 +5,15 @@ public static unsafe partial class ConvexQuery
 {
     private partial struct ImpactQuestion
     {
-        void IPairSolver<CastResult>.OfHalfSpace<T>(
+        void IPairSolver<CastResult>.SolveHalfSpace<T>(
             ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out CastResult result)
         {
             result = CastResult.Nothing(
                 pair.Status == GjkStatus.InvalidShape ? CastStatus.InvalidShape : CastStatus.InvalidInput, float.NaN,
                 0);
             if (pair.Status is not (GjkStatus.Separated or GjkStatus.Overlapping) || !IsValid) return;
-            if (pair.IsSwapped) PairMotion.Begin(_motionB, _motionA, pair.Frame, out _motion);
-            else PairMotion.Begin(_motionA, _motionB, pair.Frame, out _motion);
+            if (pair.IsSwapped) PairMotion.Make(_motionB, _motionA, pair.Frame, out _motion);
+            else PairMotion.Make(_motionA, _motionB, pair.Frame, out _motion);
             _begin = _follows ? _contact.Fraction : 0;
             _end = Math.Min(_maxFraction, SineCosine.MaxAngle / _motion.Rate);
             _isWhole = _end >= _maxFraction;

@@ -29,7 +29,7 @@ public static partial class ConvexQuery
         in CastOptions options = default, RaySides sides = RaySides.Both)
         where T : struct, ISupportMap
     {
-        ref T inward = ref PairQuery.Inward(shape);
+        ref T inward = ref PairQuery.AsRef(shape);
         var line = new WorldRay(origin, direction, ((Double3)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
         if (hit.Status == CastStatus.OverlappingAtStart || (options.PassesShallow && hit.Status == CastStatus.Hit))
@@ -89,7 +89,7 @@ public static partial class ConvexQuery
     private static void CastRay<T>(ref T shape, in RigidPose pose, in WorldRay line, out RayMeeting hit)
         where T : struct, ISupportMap
     {
-        double turn = Balls.InverseTurn(pose.Rotation);
+        double turn = Balls.RotationScale(pose.Rotation);
         if (!IsRay(pose, turn, line))
         {
             hit = default;
@@ -111,7 +111,7 @@ public static partial class ConvexQuery
         ref T shape, in RigidPose pose, double turn, in WorldRay line, out RayMeeting hit)
         where T : struct, ISupportMap
     {
-        FormKind form = ShapeTraits<T>.Of.GetPlain(ref shape, out Double3 size);
+        FormKind form = ShapeTraits<T>.Instance.GetPlain(ref shape, out Double3 size);
         hit = default;
         bool isPlain = form == FormKind.Ball || (form == FormKind.Box && shape.Margin == 0);
         return (isPlain && shape.Center.SumOfMagnitudes == 0
@@ -125,7 +125,7 @@ public static partial class ConvexQuery
         where T : struct, ISupportMap
     {
         hit = default;
-        return ShapeTraits<T>.Of.TryGetForm(ref shape, out ShapeForm form)
+        return ShapeTraits<T>.Instance.TryGetForm(ref shape, out ShapeForm form)
             && RayCaster.TryCast(form, shape.BoundingRadius, pose, turn, line, out hit);
     }
 
@@ -181,7 +181,7 @@ public static partial class ConvexQuery
             _direction = line.Direction;
             _length = line.Length;
             _power = 1;
-            Uncleared.Begin(out _cast);
+            UnsafeRef.SkipInit(out _cast);
         }
 
         readonly bool IPairSolver<RayMeeting>.TryFormula<TA, TB>(
@@ -191,7 +191,7 @@ public static partial class ConvexQuery
             return false;
         }
 
-        readonly void IPairSolver<RayMeeting>.OfHalfSpace<T>(
+        readonly void IPairSolver<RayMeeting>.SolveHalfSpace<T>(
             ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out RayMeeting hit)
         {
             hit = default;
@@ -206,11 +206,12 @@ public static partial class ConvexQuery
         {
             hit = new() { Status = frame.IsValid ? CastStatus.Miss : CastStatus.InvalidInput };
             if (!frame.IsValid) return false;
+            frame.TightenRadii(ref a, ref b);
             double radius = _line.Ball > 0 ? _line.Ball : frame.RadiusA;
             bool isFar = frame.Translation.LengthSquared > FarOrigin * FarOrigin * radius * radius && radius > 0;
             if (isFar || _line.Ball > 0)
             {
-                Placement? placed = ShapeTraits<TA>.Of.PlacementOf(ref a);
+                Placement? placed = ShapeTraits<TA>.Instance.PlacementOf(ref a);
                 VectorDD center = placed is null ? a.Center : placed.ExactCenter;
                 LocalRay.MakeFar(poseA, center, _line, out LocalRay ray);
                 _begin = ray.Shift - Anew * radius;

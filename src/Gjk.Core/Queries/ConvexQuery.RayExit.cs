@@ -27,7 +27,7 @@ public static partial class ConvexQuery
         in T shape, in RigidPose pose, Vector3 origin, Vector3 direction, float maxDistance = float.PositiveInfinity)
         where T : struct, ISupportMap
     {
-        ref T inward = ref PairQuery.Inward(shape);
+        ref T inward = ref PairQuery.AsRef(shape);
         var line = new WorldRay(origin, direction, ((Double3)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
         return ExitOf(ref inward, pose, line, hit);
@@ -41,7 +41,7 @@ public static partial class ConvexQuery
         if (hit.Status == CastStatus.Hit || hit.Status == CastStatus.OverlappingAtStart)
         {
             int iterations = hit.Iterations;
-            if (HalfSpacePair.Is(ref shape)) FindEnd(ref shape, pose, line, ref hit);
+            if (HalfSpacePair.IsHalfSpace(ref shape)) FindEnd(ref shape, pose, line, ref hit);
             else ComeBack(ref shape, pose, line, ref hit);
             if (hit.Status == CastStatus.Hit && hit.Distance <= line.Reach)
             {
@@ -63,12 +63,12 @@ public static partial class ConvexQuery
         where T : struct, ISupportMap
     {
         double entry = hit.Status == CastStatus.Hit ? hit.Distance : 0;
-        Placement? placed = ShapeTraits<T>.Of.PlacementOf(ref shape);
+        Placement? placed = ShapeTraits<T>.Instance.PlacementOf(ref shape);
         VectorDD center = placed is null ? shape.Center : placed.ExactCenter;
         LocalRay.MakeFar(pose, center, line, out LocalRay ray);
         double radius = ReachAlong(ref shape, pose, ray);
         double far = ray.Shift + WayBack * radius;
-        Double3 beyond = (Double3)VectorDD.Place(pose, center) + ray.At(WayBack * radius);
+        Double3 beyond = (Double3)VectorDD.ToWorld(pose, center) + ray.At(WayBack * radius);
         var back = new WorldRay(beyond, -line.Direction, line.Length, double.PositiveInfinity, radius);
         CastRay(ref shape, pose, back, out RayMeeting end);
         bool isFound = end.Status == CastStatus.Hit;
@@ -95,7 +95,7 @@ public static partial class ConvexQuery
     private static void FindEnd<T>(ref T shape, in RigidPose pose, in WorldRay line, ref RayMeeting hit)
         where T : struct, ISupportMap
     {
-        ConvexShape outside = Uncleared.As<T, ConvexShape>(ref shape).Complement;
+        ConvexShape outside = UnsafeRef.As<T, ConvexShape>(ref shape).Complement;
         CastRay(ref outside, pose, line, out RayMeeting end);
         bool isAtStart = end.Status == CastStatus.OverlappingAtStart;
         hit.Status = isAtStart ? CastStatus.Miss : end.Status;

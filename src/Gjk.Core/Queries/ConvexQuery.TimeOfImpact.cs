@@ -93,13 +93,13 @@ public static unsafe partial class ConvexQuery
                     options));
         }
 
-        ref TA shapeA = ref PairQuery.Inward(a);
-        ref TB shapeB = ref PairQuery.Inward(b);
+        ref TA shapeA = ref PairQuery.AsRef(a);
+        ref TB shapeB = ref PairQuery.AsRef(b);
         fixed (WarmStart* warm = &warmStart)
         {
             var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warm);
             if (!question.TryBeginInBalls(ref shapeA, ref shapeB, out CastResult found))
-                found = question.AskShapes(ref shapeA, ref shapeB);
+                found = question.Run(ref shapeA, ref shapeB);
             bool isSettled = found.Status != CastStatus.OverlappingAtStart
                 && !(options.PassesShallow && found.Status == CastStatus.Hit);
             return isSettled ? found : SettleImpact(ref shapeA, ref shapeB, found, options, ref question);
@@ -127,7 +127,7 @@ public static unsafe partial class ConvexQuery
         WarmStart cold = default;
         var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, &cold);
         question.Within(from, to);
-        return question.AskShapes(ref PairQuery.Inward(a), ref PairQuery.Inward(b)).Status == CastStatus.Miss;
+        return question.Run(ref PairQuery.AsRef(a), ref PairQuery.AsRef(b)).Status == CastStatus.Miss;
     }
 
     /// <summary>A cast's fraction is the nearest float, which may be later; the one before is not.</summary>
@@ -165,7 +165,7 @@ public static unsafe partial class ConvexQuery
         /// tolerance.</summary>
         public void Within(double from, double to) => (_isWindow, _from, _to) = (true, from, to);
 
-        public CastResult AskShapes<TA, TB>(ref TA a, ref TB b)
+        public CastResult Run<TA, TB>(ref TA a, ref TB b)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
@@ -185,8 +185,8 @@ public static unsafe partial class ConvexQuery
         {
             result = CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0);
             if (!frame.IsValid || !IsValid) return false;
-            if (!(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight)) frame.TightenRadii(ref a, ref b);
-            PairMotion.Begin(_motionA, _motionB, frame, out _motion);
+            frame.TightenRadii(ref a, ref b);
+            PairMotion.Make(_motionA, _motionB, frame, out _motion);
             result = CastResult.Nothing(CastStatus.Miss, _maxFraction, 0);
             if (!_motion.TryReach(frame.Margins, _maxFraction, out _begin, out _end)) return false;
             if (_follows) _begin = _contact.Fraction;
@@ -273,7 +273,7 @@ public static unsafe partial class ConvexQuery
                 ? frame.Translation * (1 / frame.Translation.Length)
                 : impact.Normal;
             var outward = (Vector3)frame.RotationA.Rotate(normal);
-            Double3 onA = state.Simplex.MeanOnA(state.Weights);
+            Double3 onA = state.Simplex.WitnessOnA(state.Weights);
             motion.MoveTo(fraction, ref frame);
             Double3 position = (Double3)_motionA.Pose.Position + (Double3)_motionA.Velocity * fraction;
             return new CastResult(

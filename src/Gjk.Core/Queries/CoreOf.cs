@@ -10,8 +10,8 @@ internal static class CoreOf
         where T : struct, ISupportMap
     {
         if (typeof(T) == typeof(ConvexShape))
-            return (Uncleared.As<T, ConvexShape>(ref shape).Core & FormKind.Moved) != 0;
-        return ShapeTraits<T>.CanBePlaced && ShapeTraits<T>.Of.PlacementOf(ref shape) is not null;
+            return (UnsafeRef.As<T, ConvexShape>(ref shape).Core & FormKind.Moved) != 0;
+        return ShapeTraits<T>.CanBePlaced && ShapeTraits<T>.Instance.PlacementOf(ref shape) is not null;
     }
 
     /// <summary>What a shape can be unwrapped to.</summary>
@@ -22,11 +22,12 @@ internal static class CoreOf
         where T : struct, ISupportMap
         where TOther : struct, ISupportMap
     {
-        if (typeof(T) == typeof(ConvexShape)) return Uncleared.As<T, ConvexShape>(ref shape).Core & ~FormKind.Moved;
-        if (typeof(T) == typeof(ConvexMesh)) return Uncleared.As<T, ConvexMesh>(ref shape).Core;
+        if (typeof(T) == typeof(ConvexShape)) return UnsafeRef.As<T, ConvexShape>(ref shape).Core & ~FormKind.Moved;
+        if (typeof(T) == typeof(ConvexMesh)) return UnsafeRef.As<T, ConvexMesh>(ref shape).Core;
         if (typeof(T) == typeof(BoxShape)) return FormKind.Box;
         if (typeof(T) == typeof(TriangleShape)) return FormKind.Triangle;
 
+        // A TriangleCore, which a mesh gives, is none to unwrap: it is solved as it is, with the same supports.
         // Two capsules of that type have a cheaper support than segments: a sign.
         return (typeof(T) == typeof(CapsuleShape) && typeof(TOther) != typeof(CapsuleShape))
             || typeof(T) == typeof(SegmentShape)
@@ -41,43 +42,43 @@ internal static class CoreOf
         where T : struct, ISupportMap
         where TCore : struct, ISupportMap
     {
-        Uncleared.Begin(out core);
-        if (typeof(TCore) == typeof(BoxCore)) GetBox(ref shape, out Uncleared.As<TCore, BoxCore>(ref core));
-        else if (typeof(TCore) == typeof(HullCore)) GetHull(ref shape, out Uncleared.As<TCore, HullCore>(ref core));
+        UnsafeRef.SkipInit(out core);
+        if (typeof(TCore) == typeof(BoxCore)) GetBox(ref shape, out UnsafeRef.As<TCore, BoxCore>(ref core));
+        else if (typeof(TCore) == typeof(HullCore)) GetHull(ref shape, out UnsafeRef.As<TCore, HullCore>(ref core));
         else if (typeof(TCore) == typeof(SegmentCore))
-            GetSegment(ref shape, out Uncleared.As<TCore, SegmentCore>(ref core));
-        else GetTriangle(ref shape, out Uncleared.As<TCore, TriangleCore>(ref core));
+            GetSegment(ref shape, out UnsafeRef.As<TCore, SegmentCore>(ref core));
+        else GetTriangle(ref shape, out UnsafeRef.As<TCore, TriangleCore>(ref core));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GetBox<T>(ref T shape, out BoxCore box)
     {
-        if (typeof(T) == typeof(ConvexShape)) Uncleared.As<T, ConvexShape>(ref shape).Get(out box);
-        else if (typeof(T) == typeof(ConvexMesh)) Uncleared.As<T, ConvexMesh>(ref shape).Get(out box);
-        else Uncleared.As<T, BoxShape>(ref shape).Get(out box);
+        if (typeof(T) == typeof(ConvexShape)) UnsafeRef.As<T, ConvexShape>(ref shape).Get(out box);
+        else if (typeof(T) == typeof(ConvexMesh)) UnsafeRef.As<T, ConvexMesh>(ref shape).Get(out box);
+        else UnsafeRef.As<T, BoxShape>(ref shape).Get(out box);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GetHull<T>(ref T shape, out HullCore hull)
     {
-        if (typeof(T) == typeof(ConvexShape)) Uncleared.As<T, ConvexShape>(ref shape).Get(out hull);
-        else Uncleared.As<T, ConvexMesh>(ref shape).Get(out hull);
+        if (typeof(T) == typeof(ConvexShape)) UnsafeRef.As<T, ConvexShape>(ref shape).Get(out hull);
+        else UnsafeRef.As<T, ConvexMesh>(ref shape).Get(out hull);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GetTriangle<T>(ref T shape, out TriangleCore triangle)
     {
-        if (typeof(T) == typeof(ConvexShape)) Uncleared.As<T, ConvexShape>(ref shape).Get(out triangle);
-        else Uncleared.As<T, TriangleShape>(ref shape).Get(out triangle);
+        if (typeof(T) == typeof(ConvexShape)) UnsafeRef.As<T, ConvexShape>(ref shape).Get(out triangle);
+        else UnsafeRef.As<T, TriangleShape>(ref shape).Get(out triangle);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void GetSegment<T>(ref T shape, out SegmentCore segment)
     {
-        if (typeof(T) == typeof(ConvexShape)) Uncleared.As<T, ConvexShape>(ref shape).Get(out segment);
-        else if (typeof(T) == typeof(CapsuleShape)) Uncleared.As<T, CapsuleShape>(ref shape).Get(out segment);
-        else if (typeof(T) == typeof(SegmentShape)) Uncleared.As<T, SegmentShape>(ref shape).Get(out segment);
-        else if (typeof(T) == typeof(SphereShape)) Uncleared.As<T, SphereShape>(ref shape).Get(out segment);
-        else Uncleared.As<T, PointShape>(ref shape).Get(out segment);
+        if (typeof(T) == typeof(ConvexShape)) UnsafeRef.As<T, ConvexShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(CapsuleShape)) UnsafeRef.As<T, CapsuleShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(SegmentShape)) UnsafeRef.As<T, SegmentShape>(ref shape).Get(out segment);
+        else if (typeof(T) == typeof(SphereShape)) UnsafeRef.As<T, SphereShape>(ref shape).Get(out segment);
+        else UnsafeRef.As<T, PointShape>(ref shape).Get(out segment);
     }
 }

@@ -26,7 +26,7 @@ internal static class DistanceFinish
             return;
         }
 
-        state.Simplex.Points(state.Weights, out Xyz onA, out Xyz onB);
+        state.Simplex.WitnessPoints(state.Weights, out Xyz onA, out Xyz onB);
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared), distance = Proofs.DistanceOf(state, frame, scale);
         state.Feature.Normal.ToXyz().Times(scale, out Xyz toA);
         Xyz toAInB = default;
@@ -53,7 +53,7 @@ internal static class DistanceFinish
         onA.OnSurface(toA, -frame.MarginA, frame.CenterA, frame.Unit, out Xyz localA);
         onB.OnSurface(toAInB, frame.MarginB, frame.CenterB, frame.Unit, out Xyz localB);
         frame.RotationA.Opposite(toA, out Xyz normal);
-        frame.RotationA.Place(localA, poseA.Position, out Xyz worldA);
+        frame.RotationA.Transform(localA, poseA.Position, out Xyz worldA);
         worldA.Plus(normal, distance, out Xyz worldB);
         if (frame.IsPlaced) OutOfCores(frame, ref localA, ref localB);
         if (IsMuchSmallerB(state, frame) || IsFarApart(gap, frame.RadiusB, frame.CenterB))
@@ -128,7 +128,7 @@ internal static class DistanceFinish
         if (state.Verdict == Verdict.Beyond) WriteBeyond(state, frame, out result);
         else result = DistanceResult.Invalid(GjkStatus.InvalidShape, state.Iterations);
         if (state.Verdict != Verdict.Enclosed) return;
-        state.Simplex.Points(state.Weights, out Xyz onA, out Xyz onB);
+        state.Simplex.WitnessPoints(state.Weights, out Xyz onA, out Xyz onB);
         Common(state, frame, poseA, poseB, onA, onB, out result);
     }
 

@@ -12,9 +12,9 @@ public readonly struct DistanceResult
     /// then minus the depth.</summary>
     public readonly float Distance;
 
-    /// <summary>A proved lower bound of the distance: the gap between two parallel planes that separate the shapes,
-    /// evaluated in double and rounded down. Of a signed distance it is negative when the shapes overlap, and the true
-    /// signed distance is not below it.</summary>
+    /// <summary>A lower bound of the distance: the gap between two parallel planes that separate the shapes, evaluated
+    /// in double and lowered by twice what rounding did to the worst pose that was found. Of a signed distance it is
+    /// negative when the shapes overlap, and the true signed distance is not below it.</summary>
     public readonly float LowerBound;
 
     /// <summary>The point of A that is closest to B; of a signed distance, when overlapping, the one that is deepest in

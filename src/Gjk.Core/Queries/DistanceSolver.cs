@@ -12,20 +12,20 @@ internal unsafe struct DistanceSolver<TTrace>(
     private readonly float _maxDistance = maxDistance;
     private readonly WarmStart* _warm = warm;
     private readonly FinalSimplex* _simplex = simplex;
-    private bool _areTold = false;
+    private bool _arePoints = false;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     bool IPairSolver<DistanceResult>.TryFormula<TA, TB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out DistanceResult result)
     {
-        Uncleared.Begin(out result);
-        if (!Balls.Are(ref a, ref b) || _areTold) return false;
-        if (Trace.IsOn || _simplex != null) Tell(a, poseA, b, poseB);
+        UnsafeRef.SkipInit(out result);
+        if (!Balls.AreBalls(ref a, ref b) || _arePoints) return false;
+        if (Trace.IsOn || _simplex != null) SolveAsPoints(a, poseA, b, poseB);
         Balls.Distance(ref a, poseA, ref b, poseB, _maxDistance, isSigned: false, out result);
         return true;
     }
 
-    readonly void IPairSolver<DistanceResult>.OfHalfSpace<T>(
+    readonly void IPairSolver<DistanceResult>.SolveHalfSpace<T>(
         ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out DistanceResult result) =>
         result = pair.Result(otherPose, isSigned: false, _maxDistance);
 
@@ -33,7 +33,7 @@ internal unsafe struct DistanceSolver<TTrace>(
     readonly bool IPairSolver<DistanceResult>.TryBegin<TA, TB>(
         ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out DistanceResult result)
     {
-        Uncleared.Begin(out result);
+        UnsafeRef.SkipInit(out result);
         if (frame.IsValid && !float.IsNaN(_maxDistance)) return true;
         result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
         return false;
@@ -49,10 +49,10 @@ internal unsafe struct DistanceSolver<TTrace>(
         }
 
         double reach = ProvedDistance.CoreReach(_maxDistance, frame);
-        if (_warm != null) _warm->Begin(ref a, ref b, frame, ref state);
+        if (_warm != null) _warm->Seed(ref a, ref b, frame, ref state);
         else state.Feature.Normal = frame.FirstNormal;
         ProvedDistance.Solve(ref a, ref b, frame, reach, _warm != null, ref state, ref Trace);
-        if (_warm != null) _warm->Keep(state);
+        if (_warm != null) _warm->Save(state);
         SideNormal<TA, TB, TTrace>.Sharpen(ref a, ref b, frame, ref state, ref Trace);
     }
 
@@ -65,11 +65,11 @@ internal unsafe struct DistanceSolver<TTrace>(
 
     /// <summary>Two balls are solved as points, too, for what is told of it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Tell<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
+    private void SolveAsPoints<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        _areTold = true;
+        _arePoints = true;
         PairQuery.Run(a, poseA, b, poseB, ref this, out DistanceResult _);
     }
 

@@ -48,7 +48,7 @@ internal struct HalfSpaceMotion
     {
         while (true)
         {
-            TurningPlane plane = Look(ref other, impact.Fraction, 0);
+            TurningPlane plane = PlaneAt(ref other, impact.Fraction, 0);
             impact.Steps++;
             impact.Iterations++;
             impact.Outcome = MotionVerdict.Hit;
@@ -79,12 +79,12 @@ internal struct HalfSpaceMotion
         // Beside far more than they can get to, the gaps would be lost.
         double depth = impact.Fraction > 0 ? 0 : -_pair.Gap;
         double deepest = Fastest(impact.Fraction) * (_end - impact.Fraction)
-            + Math.Abs(Look(ref other, impact.Fraction, 0).Gap);
+            + Math.Abs(PlaneAt(ref other, impact.Fraction, 0).Gap);
         double shrunk = Math.Max(Math.Min(allowed, deepest), depth) + _tolerance + _accepted;
         _motion.B.Measure(ref other, MeasuredDirections);
         while (true)
         {
-            TurningPlane plane = Look(ref other, impact.Fraction, shrunk);
+            TurningPlane plane = PlaneAt(ref other, impact.Fraction, shrunk);
             double gap = plane.Gap - shrunk;
             impact.Steps++;
             impact.Iterations++;
@@ -120,7 +120,7 @@ internal struct HalfSpaceMotion
     }
 
     /// <summary>The gap at a fraction, added to what both may overlap, and how it changes.</summary>
-    private TurningPlane Look<T>(ref T other, double fraction, double shrunk)
+    private TurningPlane PlaneAt<T>(ref T other, double fraction, double shrunk)
         where T : struct, ISupportMap
     {
         _motion.MoveTo(fraction, ref _pair.Frame);
@@ -130,8 +130,8 @@ internal struct HalfSpaceMotion
         plane.Gap = _pair.GapIn(frame, ref other, out Double3 on) + shrunk;
         Double3 fromB = frame.RotationA.Rotate(frame.Rotation.Rotate(on + _motion.B.Offset));
         Double3 normal = _pair.Outward, point = _motion.Between(fraction) + fromB;
-        plane.Rate = Double3.Dot(Double3.Cross(_motion.A.Turn, normal), point)
-            + Double3.Dot(normal, _motion.Velocity + Double3.Cross(_motion.B.Turn, fromB));
+        plane.Rate = Double3.Dot(Double3.Cross(_motion.A.AngularVelocity, normal), point)
+            + Double3.Dot(normal, _motion.Velocity + Double3.Cross(_motion.B.AngularVelocity, fromB));
         double rate = _motion.A.Rate, turned = _motion.B.Rate * _motion.B.Reach;
         double length = Math.Max(point.Length, _motion.Between(_end).Length) + _motion.B.Reach;
         plane.Curvature = rate * (rate * length + 2 * (_motion.Velocity.Length + turned)) + _motion.B.Rate * turned;
@@ -158,7 +158,7 @@ internal struct HalfSpaceMotion
     {
         if (_motion.A.IsTurning) return start;
         Double3 normal = _pair.Outward;
-        double gap = Double3.Dot(normal, _motion.Between(start)) - _motion.B.SweptReach(-normal) - _pair.Level
+        double gap = Double3.Dot(normal, _motion.Between(start)) - _motion.B.SweptReach(-normal) - _pair.PlaneDistance
             - _pair.Frame.MarginB + shrunk - _floor;
         double rate = Double3.Dot(normal, _motion.Velocity);
         return !(gap > 0) ? start : rate < 0 ? Math.Min(start - gap / rate, _end) : _end;

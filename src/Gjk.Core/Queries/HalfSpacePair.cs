@@ -13,12 +13,12 @@ internal struct HalfSpacePair
     private const double Rounding = 16 * RoundOff.Unit;
 
     /// <summary>Ratio to the other's size: what rounding may leave open of a gap, half of the promised 1e-14 of the
-    /// scale; where it is more, and more than <see cref="OfGap"/>, the gap is found in 106 bits. Pinned by
+    /// scale; where it is more, and more than <see cref="GapRatio"/>, the gap is found in 106 bits. Pinned by
     /// HalfSpaceTests.</summary>
-    private const double OfSize = 64 * RoundOff.Unit;
+    private const double SizeRatio = 64 * RoundOff.Unit;
 
     /// <summary>Ratio to the gap: what rounding may leave open of it, a hundredth of a float's rounding.</summary>
-    private const double OfGap = 1.0 / (1 << 30);
+    private const double GapRatio = 1.0 / (1 << 30);
 
     /// <summary>From the half-space's local origin, without margin, to the other's core.</summary>
     public PairFrame Frame;
@@ -27,7 +27,7 @@ internal struct HalfSpacePair
     public Double3 Normal;
 
     /// <summary>How far the plane is from the local origin, along the normal.</summary>
-    public double Level;
+    public double PlaneDistance;
 
     /// <summary>How far the shapes are apart: negative where they overlap, 0 where they touch. World units.</summary>
     public double Gap;
@@ -43,32 +43,34 @@ internal struct HalfSpacePair
 
     /// <summary>Whether a shape is a half-space; known when the code is compiled for all types but one.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Is<T>(ref T shape)
+    public static bool IsHalfSpace<T>(ref T shape)
         where T : struct, ISupportMap =>
-        typeof(T) == typeof(ConvexShape) && Uncleared.As<T, ConvexShape>(ref shape).Kind == ShapeKind.HalfSpace;
+        typeof(T) == typeof(ConvexShape) && UnsafeRef.As<T, ConvexShape>(ref shape).Kind == ShapeKind.HalfSpace;
 
     /// <summary>Answers a pair of which one shape is a half-space.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Ask<TA, TB, TSolver, TResult>(
+    public static void Solve<TA, TB, TSolver, TResult>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
         where TSolver : struct, IPairSolver<TResult>
     {
-        if (Is(ref a)) Ask(Uncleared.As<TA, ConvexShape>(ref a), poseA, ref b, poseB, false, ref solver, out result);
-        else Ask(Uncleared.As<TB, ConvexShape>(ref b), poseB, ref a, poseA, true, ref solver, out result);
+        if (IsHalfSpace(ref a))
+            Solve(UnsafeRef.As<TA, ConvexShape>(ref a), poseA, ref b, poseB, false, ref solver, out result);
+        else
+            Solve(UnsafeRef.As<TB, ConvexShape>(ref b), poseB, ref a, poseA, true, ref solver, out result);
     }
 
-    private static void Ask<T, TSolver, TResult>(
+    private static void Solve<T, TSolver, TResult>(
         in ConvexShape halfSpace, in RigidPose pose, ref T other, in RigidPose otherPose, bool isSwapped,
         ref TSolver solver, out TResult result)
         where T : struct, ISupportMap
         where TSolver : struct, IPairSolver<TResult>
     {
-        T core = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Of.InCoreAxes(other) : other;
+        T core = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Instance.InCoreAxes(other) : other;
         Measure(halfSpace, pose, ref other, ref core, otherPose, out HalfSpacePair pair);
         pair.IsSwapped = isSwapped;
-        solver.OfHalfSpace(ref pair, ref core, otherPose, out result);
+        solver.SolveHalfSpace(ref pair, ref core, otherPose, out result);
     }
 
     /// <summary>Measures the pair.</summary>
@@ -85,20 +87,20 @@ internal struct HalfSpacePair
     {
         pair = default;
         PointShape origin = default;
-        Placement? placed = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Of.PlacementOf(ref other) : null;
+        Placement? placed = CoreOf.IsPlaced(ref other) ? ShapeTraits<T>.Instance.PlacementOf(ref other) : null;
         PairFrame.ComposePlaced(ref origin, pose, null, ref core, otherPose, placed, out pair.Frame);
 
-        if (!ShapeTraits<T>.AreTight) pair.Frame.TightenRadii(ref origin, ref other);
+        pair.Frame.TightenRadii(ref origin, ref other);
         HalfSpaceCore plane = halfSpace.AsHalfSpace;
         pair.Normal = plane.Unit;
-        pair.Level = plane.Level;
-        pair.Status = Is(ref other) ? GjkStatus.InvalidShape : GjkStatus.InvalidInput;
-        if (Is(ref other) || !pair.Frame.IsValid) return;
+        pair.PlaneDistance = plane.PlaneDistance;
+        pair.Status = IsHalfSpace(ref other) ? GjkStatus.InvalidShape : GjkStatus.InvalidInput;
+        if (IsHalfSpace(ref other) || !pair.Frame.IsValid) return;
         double gap = pair.GapIn(pair.Frame, ref core, out pair._onOther);
-        double size = pair.Frame.RadiusB, reach = Math.Abs(pair.Level) + size + pair.Frame.CenterB.SumOfMagnitudes
-            + pair.Frame.Translation.SumOfMagnitudes;
+        double size = pair.Frame.RadiusB, reach = Math.Abs(pair.PlaneDistance) + size
+            + pair.Frame.CenterB.SumOfMagnitudes + pair.Frame.Translation.SumOfMagnitudes;
         double error = Rounding * reach;
-        if (error > OfSize * size && error > OfGap * Math.Abs(gap))
+        if (error > SizeRatio * size && error > GapRatio * Math.Abs(gap))
         {
             gap = pair.ExactGap(plane, pose, ref other, otherPose);
             error = Rounding * (Math.Abs(gap) + size);
@@ -117,7 +119,7 @@ internal struct HalfSpacePair
         where T : struct, ISupportMap
     {
         core.Support(frame.Rotation.InverseRotate(-Normal), out onOther);
-        return Double3.Dot(Normal, frame.Translation + frame.Rotation.Rotate(onOther)) - Level - frame.MarginB;
+        return Double3.Dot(Normal, frame.Translation + frame.Rotation.Rotate(onOther)) - PlaneDistance - frame.MarginB;
     }
 
     /// <summary>The gap in 106 bits: far from the origin of the half-space double would lose it.</summary>
@@ -126,10 +128,10 @@ internal struct HalfSpacePair
         in HalfSpaceCore plane, in RigidPose pose, ref T other, in RigidPose otherPose)
         where T : struct, ISupportMap
     {
-        Placement? placed = ShapeTraits<T>.Of.PlacementOf(ref other);
+        Placement? placed = ShapeTraits<T>.Instance.PlacementOf(ref other);
         Double3 onOther = placed is null ? _onOther : Frame.OutOfB(_onOther.ToXyz()).ToDouble3();
         VectorDD local = (placed is null ? other.Center : placed.ExactCenter) + (VectorDD)onOther;
-        VectorDD between = VectorDD.Place(otherPose, local) - (Double3)pose.Position;
+        VectorDD between = VectorDD.ToWorld(otherPose, local) - (Double3)pose.Position;
         return plane.Outside(pose.Rotation, between) / plane.Length - Frame.MarginB;
     }
 
@@ -164,7 +166,7 @@ internal struct HalfSpacePair
         get
         {
             Double3 on = OnOther;
-            return on + Normal * (Level - Double3.Dot(Normal, on));
+            return on + Normal * (PlaneDistance - Double3.Dot(Normal, on));
         }
     }
 
@@ -187,14 +189,14 @@ internal struct HalfSpacePair
     /// <summary>Whether a motion takes the shapes deeper into each other than is allowed: as
     /// <see cref="DeepeningSolver{TA, TB}"/> has it, and deepest at the end.</summary>
     /// <param name="motion">Of the other, seen from the half-space, for the fraction 1; in the world.</param>
-    /// <param name="part">From where on, to where, and what is allowed.</param>
-    public readonly MotionVerdict Deepens(in Double3 motion, in DeepeningPart part)
+    /// <param name="range">From where on, to where, and what is allowed.</param>
+    public readonly MotionVerdict Deepens(in Double3 motion, in DeepeningRange range)
     {
-        double rate = RateOf(motion), from = Gap + rate * part.From;
-        double limit = GjkTolerances.Touch * Frame.RadiusB + Math.Max(part.Allowed, part.From > 0 ? 0 : -from);
+        double rate = RateOf(motion), from = Gap + rate * range.From;
+        double limit = GjkTolerances.Touch * Frame.RadiusB + Math.Max(range.Allowed, range.From > 0 ? 0 : -from);
         if (from < -limit) return MotionVerdict.Hit;
-        rate += part.Slope * motion.Length;
-        bool isDeep = rate < 0 && from + rate * (part.To - part.From) < -limit;
+        rate += range.Slope * motion.Length;
+        bool isDeep = rate < 0 && from + rate * (range.To - range.From) < -limit;
         return isDeep ? MotionVerdict.Hit : MotionVerdict.Miss;
     }
 

@@ -8,12 +8,12 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out GjkStatus result)
     {
         result = GjkStatus.Separated;
-        if (!Balls.Are(ref a, ref b)) return AreBallsApart(ref a, poseA, ref b, poseB);
+        if (!Balls.AreBalls(ref a, ref b)) return AreBallsApart(ref a, poseA, ref b, poseB);
         result = Balls.Status(ref a, poseA, ref b, poseB);
         return true;
     }
 
-    readonly void IPairSolver<GjkStatus>.OfHalfSpace<T>(
+    readonly void IPairSolver<GjkStatus>.SolveHalfSpace<T>(
         ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out GjkStatus result) => result = pair.Status;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

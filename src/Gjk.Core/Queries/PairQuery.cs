@@ -34,16 +34,16 @@ internal static class PairQuery
         where TB : struct, ISupportMap
         where TSolver : struct, IPairSolver<TResult>
     {
-        ref TA a = ref Inward(shapeA);
-        ref TB b = ref Inward(shapeB);
+        ref TA a = ref AsRef(shapeA);
+        ref TB b = ref AsRef(shapeB);
         if (solver.TryFormula(ref a, poseA, ref b, poseB, out result)
             || PairQuery<TA, TB, TSolver, TResult>.TryCores(ref a, poseA, ref b, poseB, ref solver, ref result))
         {
             return;
         }
 
-        if (HalfSpacePair.Is(ref a) || HalfSpacePair.Is(ref b))
-            HalfSpacePair.Ask(ref a, poseA, ref b, poseB, ref solver, out result);
+        if (HalfSpacePair.IsHalfSpace(ref a) || HalfSpacePair.IsHalfSpace(ref b))
+            HalfSpacePair.Solve(ref a, poseA, ref b, poseB, ref solver, out result);
         else if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
             PairQuery<TA, TB, TSolver, TResult>.SolveCopies(ref a, poseA, ref b, poseB, ref solver, out result);
         else
@@ -53,8 +53,8 @@ internal static class PairQuery
     /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a
     /// shape's own mistakes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static ref T Inward<T>(in T shape)
-        where T : struct => ref Uncleared.At(shape, 0);
+    public static ref T AsRef<T>(in T shape)
+        where T : struct => ref UnsafeRef.At(shape, 0);
 }
 
 /// <summary>The road of one kind of pair, after the formulas.</summary>
@@ -111,10 +111,10 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         where TCoreB : struct, ISupportMap
     {
 #if NET
-        Uncleared.Begin(out TCoreA coreA);
-        Uncleared.Begin(out TCoreB coreB);
-        Uncleared.Begin(out PairFrame frame);
-        Uncleared.Begin(out SolverState state);
+        UnsafeRef.SkipInit(out TCoreA coreA);
+        UnsafeRef.SkipInit(out TCoreB coreB);
+        UnsafeRef.SkipInit(out PairFrame frame);
+        UnsafeRef.SkipInit(out SolverState state);
 #else
 #pragma warning disable CS8500 // These cores hold no references.
         // Mono clears locals one by one, by a call for each large one; this at once.
@@ -137,8 +137,8 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
     public static void SolveCopies(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
     {
-        TA coreA = ShapeTraits<TA>.Of.InCoreAxes(a);
-        TB coreB = ShapeTraits<TB>.Of.InCoreAxes(b);
+        TA coreA = ShapeTraits<TA>.Instance.InCoreAxes(a);
+        TB coreB = ShapeTraits<TB>.Instance.InCoreAxes(b);
         Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
     }
 
@@ -149,8 +149,8 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         out TResult result)
     {
 #if NET
-        Uncleared.Begin(out PairFrame frame);
-        Uncleared.Begin(out SolverState state);
+        UnsafeRef.SkipInit(out PairFrame frame);
+        UnsafeRef.SkipInit(out SolverState state);
 #else
         byte* memory = stackalloc byte[sizeof(PairFrame) + sizeof(SolverState)];
         ref PairFrame frame = ref *(PairFrame*)memory;
@@ -169,12 +169,12 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
     {
         if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
             PairFrame.ComposePlaced(
-                ref coreA, poseA, ShapeTraits<TA>.Of.PlacementOf(ref a), ref coreB, poseB,
-                ShapeTraits<TB>.Of.PlacementOf(ref b), out frame);
+                ref coreA, poseA, ShapeTraits<TA>.Instance.PlacementOf(ref a), ref coreB, poseB,
+                ShapeTraits<TB>.Instance.PlacementOf(ref b), out frame);
         else
             PairFrame.Compose(ref coreA, poseA, ref coreB, poseB, out frame);
         if (!solver.TryBegin(ref a, ref b, poseA, ref frame, out result)) return;
-        SolverState.Begin<TCoreA, TCoreB>(frame, out state);
+        SolverState.Make<TCoreA, TCoreB>(frame, out state);
         if (frame.IsOrdinary) solver.Solve(ref coreA, ref coreB, ref frame, ref state);
         else SolveInUnitSize(ref coreA, ref coreB, ref frame, ref solver, ref state);
         solver.Finish(state, frame, poseA, poseB, out result);
@@ -192,7 +192,7 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         frame.ToUnitSize(factor);
         var unitA = new UnitSized<TCoreA>(a, factor);
         var unitB = new UnitSized<TCoreB>(b, factor);
-        SolverState.Begin<TCoreA, TCoreB>(frame, out state);
+        SolverState.Make<TCoreA, TCoreB>(frame, out state);
         solver.Solve(ref unitA, ref unitB, ref frame, ref state);
     }
 }
@@ -216,7 +216,7 @@ internal interface IPairSolver<TResult> : ICoreSolver
     /// <param name="other">The other shape, in the axes of its core.</param>
     /// <param name="otherPose">Its pose.</param>
     /// <param name="result">In the order of the query.</param>
-    void OfHalfSpace<T>(ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out TResult result)
+    void SolveHalfSpace<T>(ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out TResult result)
         where T : struct, ISupportMap;
 
     /// <summary>Refuses invalid input, and pairs of which the frame tells all.</summary>

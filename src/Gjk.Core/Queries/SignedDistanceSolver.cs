@@ -24,21 +24,21 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
     /// <summary>Told of the search for the depth.</summary>
     public TTrace Trace;
 
-    private bool _areTold;
+    private bool _arePoints;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     bool IPairSolver<DistanceResult>.TryFormula<TA, TB>(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out DistanceResult result)
     {
-        Uncleared.Begin(out result);
+        UnsafeRef.SkipInit(out result);
         if (Plane != null) Plane->Normal = default;
-        if (!Balls.Are(ref a, ref b) || _areTold) return false;
-        if (Simplex != null) Tell(a, poseA, b, poseB);
+        if (!Balls.AreBalls(ref a, ref b) || _arePoints) return false;
+        if (Simplex != null) SolveAsPoints(a, poseA, b, poseB);
         Balls.Distance(ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: true, out result);
         return true;
     }
 
-    readonly void IPairSolver<DistanceResult>.OfHalfSpace<T>(
+    readonly void IPairSolver<DistanceResult>.SolveHalfSpace<T>(
         ref HalfSpacePair pair, ref T other, in RigidPose otherPose, out DistanceResult result)
     {
         result = pair.Result(otherPose, isSigned: true, double.PositiveInfinity);
@@ -49,7 +49,7 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
     readonly bool IPairSolver<DistanceResult>.TryBegin<TA, TB>(
         ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out DistanceResult result)
     {
-        Uncleared.Begin(out result);
+        UnsafeRef.SkipInit(out result);
         if (frame.IsValid) return true;
         result = DistanceResult.Invalid(GjkStatus.InvalidInput, 0);
         return false;
@@ -73,18 +73,18 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
         in SolverState state, in PairFrame frame, in RigidPose poseA, in RigidPose poseB, out DistanceResult result)
     {
         if (Simplex != null) FinalSimplex.Keep(state, frame, Simplex);
-        if (Touch != null && Touch->IsTouch) Touch->Place(frame, poseA);
+        if (Touch != null && Touch->IsTouch) Touch->ToWorld(frame, poseA);
         DistanceFinish.Write(state, frame, poseA, poseB, double.PositiveInfinity, true, out result);
         if (Plane != null && result.Distance <= PlaneGap && state.Simplex.Count > 0) Plane->Set(frame, state);
     }
 
     /// <summary>Two balls are solved as points, too, for their simplex.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Tell<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
+    private void SolveAsPoints<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        _areTold = true;
+        _arePoints = true;
         PairQuery.Run(a, poseA, b, poseB, ref this, out DistanceResult _);
     }
 }
@@ -98,7 +98,7 @@ internal struct StartTouch
     /// <summary>Where they touch, on A, and along which normal from A to B; in the world.</summary>
     public Vector3 Point, Normal;
 
-    public void Place(in PairFrame frame, in RigidPose poseA)
+    public void ToWorld(in PairFrame frame, in RigidPose poseA)
     {
         Point = (Vector3)frame.SurfaceOfA(Found.OnA, Found.Normal, poseA.Position);
         Normal = (Vector3)frame.RotationA.Rotate(Found.Normal);

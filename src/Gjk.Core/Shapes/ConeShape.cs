@@ -1,7 +1,9 @@
+using static Gjk.Core.MassForms;
+
 namespace Gjk.Core;
 
 /// <summary>A cone about the local y axis: the apex at +HalfHeight, the base's disc at -HalfHeight.</summary>
-public readonly struct ConeShape : ISupportMap, ILibraryShape
+public readonly struct ConeShape : ISupportMap, ICurve
 {
     private readonly double _radius, _halfHeight;
 
@@ -35,6 +37,17 @@ public readonly struct ConeShape : ISupportMap, ILibraryShape
 
     bool ILibraryShape.TryGetForm(out ShapeForm form) =>
         ShapeForm.Of(FormKind.Cone, new Double3(_radius, _halfHeight, 0), out form);
+
+    /// <summary>A frustum between the circles at which the side begins and ends, a rim below it and a cap on top. The
+    /// sine is that of the side's normal over the level.</summary>
+    MassProperties ICurve.GetMass(double rounding)
+    {
+        double side = Math.Sqrt(_radius * _radius + 4 * _halfHeight * _halfHeight);
+        if (!(side > 0)) return Ball(rounding, default);
+        double sine = _radius / side, wider = rounding * (2 * _halfHeight / side);
+        return Moved(Frustum(_radius + wider, wider, 2 * _halfHeight), rounding * sine - _halfHeight, 1)
+            + Moved(Rim(0, rounding, sine), _halfHeight, 1) + Moved(Rim(_radius, rounding, -sine), -_halfHeight, -1);
+    }
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point) =>

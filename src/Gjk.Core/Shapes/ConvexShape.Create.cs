@@ -111,7 +111,7 @@ public readonly partial struct ConvexShape
         Make(ShapeKind.HalfSpace, halfSpace.Normal, halfSpace.Offset, halfSpace.NormalError);
 
     /// <summary>The shape struct of a kind that is kept as one.</summary>
-    private static ILibraryShape? CurveOf(in ShapeParts parts) => parts.Kind switch
+    private static ICurve? CurveOf(in ShapeParts parts) => parts.Kind switch
     {
         ShapeKind.Cylinder => new CylinderShape(parts.A),
         ShapeKind.Cone => new ConeShape(parts.A),

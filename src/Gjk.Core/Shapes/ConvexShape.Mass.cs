@@ -46,23 +46,16 @@ public readonly partial struct ConvexShape
         return body.Volume > 0 ? body : new MassProperties(0, CoreCenter(_parts), default);
     }
 
-    private MassProperties CoreMass(double rounding)
+    private MassProperties CoreMass(double rounding) => _parts.Kind switch
     {
-        Double3 a = _parts.A;
-        return _parts.Kind switch
-        {
-            ShapeKind.Point or ShapeKind.Sphere => MassForms.Ball(_parts.InnerMargin + rounding, default),
-            ShapeKind.Segment or ShapeKind.Capsule => MassForms.Capsule(a, _parts.B, _parts.InnerMargin + rounding),
-            ShapeKind.TaperedCapsule => MassForms.TaperedCapsule(a.X + rounding, a.Y + rounding, a.Z),
-            ShapeKind.Box => MassForms.Box(a, rounding),
-            ShapeKind.HalfSpace => throw NoMass("A half-space"),
-            ShapeKind.Triangle => rounding > 0 ? TriangleMass(a, _parts.B, _parts.C, rounding) : default,
-            ShapeKind.Mesh => HullMass(_parts.Hull!, rounding),
-            ShapeKind.Cylinder => MassForms.Cylinder(a.X, a.Y, rounding),
-            ShapeKind.Cone => MassForms.Cone(a.X, a.Y, rounding),
-            _ => rounding > 0 ? throw NoMass("A rounded ellipsoid") : MassForms.Ellipsoid(a),
-        };
-    }
+        ShapeKind.Point or ShapeKind.Sphere => MassForms.Ball(_parts.InnerMargin + rounding, default),
+        ShapeKind.Segment or ShapeKind.Capsule => MassForms.Capsule(_parts.A, _parts.B, _parts.InnerMargin + rounding),
+        ShapeKind.Box => MassForms.Box(_parts.A, rounding),
+        ShapeKind.HalfSpace => throw NoMass("A half-space"),
+        ShapeKind.Triangle => rounding > 0 ? TriangleMass(_parts.A, _parts.B, _parts.C, rounding) : default,
+        ShapeKind.Mesh => HullMass(_parts.Hull!, rounding),
+        _ => _parts.Curve is null ? throw NoMass($"A shape of kind {Kind}") : _parts.Curve.GetMass(rounding),
+    };
 
     /// <summary>A triangle widened by a radius; what is straight is a capsule.</summary>
     private static MassProperties TriangleMass(in Double3 a, in Double3 b, in Double3 c, double rounding) =>
@@ -120,6 +113,6 @@ public readonly partial struct ConvexShape
         return sum.ToMass();
     }
 
-    private static InvalidOperationException NoMass(string what) =>
+    internal static InvalidOperationException NoMass(string what) =>
         new($"{what} has no mass properties: there is no closed form for them.");
 }

@@ -35,7 +35,7 @@ public readonly partial struct ConvexShape
     public Vector3 Normal => Kind == ShapeKind.HalfSpace ? (Vector3)AsHalfSpace.Unit : Vector3.Zero;
 
     /// <summary>How far a half-space's plane is from the local origin, along <see cref="Normal"/>.</summary>
-    public float Offset => Kind == ShapeKind.HalfSpace ? (float)AsHalfSpace.Level : 0;
+    public float Offset => Kind == ShapeKind.HalfSpace ? (float)AsHalfSpace.PlaneDistance : 0;
 
     /// <summary>What it was widened by, last of all.</summary>
     public float Rounding => (float)_parts.Rounding;

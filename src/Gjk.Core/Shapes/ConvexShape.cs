@@ -200,8 +200,7 @@ public readonly partial struct ConvexShape
         ShapeKind.Segment or ShapeKind.Capsule => (parts.A + parts.B) * 0.5,
         ShapeKind.Triangle => TriangleShape.Centroid(parts.A, parts.B, parts.C),
         ShapeKind.Mesh => parts.Hull!.Center,
-        ShapeKind.TaperedCapsule => parts.Curve!.Center,
-        _ => default,
+        _ => parts.Curve is null ? default : parts.Curve.Center,
     };
 
     private static double CoreRadius(in ShapeParts parts, in Double3 center) => parts.Kind switch

@@ -1,7 +1,9 @@
+using static Gjk.Core.MassForms;
+
 namespace Gjk.Core;
 
 /// <summary>A cylinder about the local y axis, centred at the local origin.</summary>
-public readonly struct CylinderShape : ISupportMap, ILibraryShape
+public readonly struct CylinderShape : ISupportMap, ICurve
 {
     private readonly double _radius, _halfHeight;
 
@@ -35,6 +37,14 @@ public readonly struct CylinderShape : ISupportMap, ILibraryShape
 
     bool ILibraryShape.TryGetForm(out ShapeForm form) =>
         ShapeForm.Of(FormKind.Cylinder, new Double3(_radius, _halfHeight, 0), out form);
+
+    /// <summary>A wider cylinder, and two rims.</summary>
+    MassProperties ICurve.GetMass(double rounding)
+    {
+        MassProperties rim = Rim(_radius, rounding, 0);
+        return Moved(Frustum(_radius + rounding, _radius + rounding, 2 * _halfHeight), -_halfHeight, 1)
+            + Moved(rim, _halfHeight, 1) + Moved(rim, -_halfHeight, -1);
+    }
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point) =>

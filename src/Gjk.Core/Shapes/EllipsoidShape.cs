@@ -1,7 +1,9 @@
+using static Gjk.Core.MassForms;
+
 namespace Gjk.Core;
 
 /// <summary>An ellipsoid about the local origin, its axes along the local ones. A radius of 0 flattens it.</summary>
-public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
+public readonly struct EllipsoidShape : ISupportMap, ICurve
 {
     private readonly Double3 _radii;
 
@@ -27,6 +29,10 @@ public readonly struct EllipsoidShape : ISupportMap, ILibraryShape
     object ILibraryShape.MakeTraits() => new LibraryTraits<EllipsoidShape>();
 
     bool ILibraryShape.TryGetForm(out ShapeForm form) => ShapeForm.Of(FormKind.Ellipsoid, _radii, out form);
+
+    MassProperties ICurve.GetMass(double rounding) => rounding > 0
+        ? throw ConvexShape.NoMass("A rounded ellipsoid")
+        : Even(4 * Math.PI / 3 * _radii.X * _radii.Y * _radii.Z, default, Double3.Multiply(_radii, _radii) * 0.2);
 
     /// <inheritdoc/>
     public int Support(in Double3 direction, out Double3 point) =>

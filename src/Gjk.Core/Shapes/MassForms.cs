@@ -1,6 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>Volume, centre and spread of the round shapes and the box in closed form, at density 1.</summary>
+/// <summary>Volume, centre and spread in closed form, at density 1: of balls, capsules and boxes, and of the pieces
+/// that the others are the sum of, each in its own file.</summary>
 /// <remarks>Source: the moments of balls, cylinders, cones, ellipsoids and boxes are those of any text on mechanics
 /// (Meriam and Kraige, "Dynamics", 2012, table D/4); the others are polynomials, integrated along an axis. Nothing is
 /// sampled, so what is left is the rounding of a few products in double.</remarks>
@@ -10,28 +11,6 @@ internal static class MassForms
     {
         double square = radius * radius / 5;
         return Even(4 * Math.PI / 3 * radius * radius * radius, center, new Double3(square, square, square));
-    }
-
-    public static MassProperties Ellipsoid(in Double3 radii) =>
-        Even(4 * Math.PI / 3 * radii.X * radii.Y * radii.Z, default, Double3.Multiply(radii, radii) * 0.2);
-
-    /// <summary>A cylinder widened by a radius: a wider cylinder, and two rims.</summary>
-    public static MassProperties Cylinder(double radius, double halfHeight, double rounding)
-    {
-        MassProperties rim = Rim(radius, rounding, 0);
-        return Moved(Frustum(radius + rounding, radius + rounding, 2 * halfHeight), -halfHeight, 1)
-            + Moved(rim, halfHeight, 1) + Moved(rim, -halfHeight, -1);
-    }
-
-    /// <summary>A cone widened by a radius: a frustum between the circles at which its side begins and ends, a rim
-    /// below it and a cap on top. The sine is that of the side's normal over the level.</summary>
-    public static MassProperties Cone(double radius, double halfHeight, double rounding)
-    {
-        double side = Math.Sqrt(radius * radius + 4 * halfHeight * halfHeight);
-        if (!(side > 0)) return Ball(rounding, default);
-        double sine = radius / side, wider = rounding * (2 * halfHeight / side);
-        return Moved(Frustum(radius + wider, wider, 2 * halfHeight), rounding * sine - halfHeight, 1)
-            + Moved(Rim(0, rounding, sine), halfHeight, 1) + Moved(Rim(radius, rounding, -sine), -halfHeight, -1);
     }
 
     /// <summary>A segment widened by a radius: a cylinder and two halves of a ball.</summary>
@@ -46,18 +25,6 @@ internal static class MassForms
         Double3 squares = Double3.Multiply(unit, unit) * (along - across) + new Double3(across, across, across);
         var crossed = new Double3(unit.X * unit.Y, unit.X * unit.Z, unit.Y * unit.Z);
         return new(tube + ball, (a + b) * 0.5, squares, crossed * (along - across));
-    }
-
-    /// <summary>The hull of two balls: a frustum between the circles at which the side touches them, and a cap on each.
-    /// The sine is that of the side's normal over the level.</summary>
-    public static MassProperties TaperedCapsule(double top, double bottom, double halfHeight)
-    {
-        if (2 * halfHeight <= Math.Abs(top - bottom))
-            return Ball(Math.Max(top, bottom), new Double3(0, top > bottom ? halfHeight : -halfHeight, 0));
-        double sine = (bottom - top) / (2 * halfHeight), cosine = Math.Sqrt((1 - sine) * (1 + sine));
-        MassProperties frustum = Frustum(bottom * cosine, top * cosine, 2 * halfHeight * cosine * cosine);
-        return Moved(frustum, bottom * sine - halfHeight, 1)
-            + Moved(Rim(0, top, sine), halfHeight, 1) + Moved(Rim(0, bottom, -sine), -halfHeight, -1);
     }
 
     /// <summary>A box widened by a radius: the box, six plates on it, twelve quarters of cylinders and eight octants of
@@ -82,7 +49,7 @@ internal static class MassForms
     }
 
     /// <summary>A frustum that stands on the origin.</summary>
-    private static MassProperties Frustum(double a, double b, double height)
+    public static MassProperties Frustum(double a, double b, double height)
     {
         double whole = Math.PI * height;
         double fourth = a * a * a * a + a * b * (a * a + a * b + b * b) + b * b * b * b;
@@ -96,12 +63,12 @@ internal static class MassForms
     /// <param name="from">How far the arc's centre is from the axis; 0, or the sine is at most 0.</param>
     /// <param name="radius">Of the arc, whose centre is on the level of the origin.</param>
     /// <param name="sine">Of the arc's lower end, over the level.</param>
-    private static MassProperties Rim(double from, double radius, double sine)
+    public static MassProperties Rim(double from, double radius, double sine)
     {
         double left = 1 - sine, level = left * (1 + sine), k = Math.Sqrt(level);
 
         // The integrals of powers of the cosine along the arc.
-        double two = (ArcTangent.Of(k, sine) - sine * k) / 2, four = (3 * two - sine * k * level) / 4;
+        double two = (ArcTangent.Atan2(k, sine) - sine * k) / 2, four = (3 * two - sine * k * level) / 4;
         double three = left * left * (2 + sine) / 3, five = left * left * left * (8 + sine * (9 + sine * 3)) / 15;
         double squared = left * left * (2 + sine * (4 + sine * (6 + sine * 3))) / 15;
         double r = radius, a = from, disc = Math.PI * r;
@@ -121,9 +88,9 @@ internal static class MassForms
     }
 
     /// <summary>The same along the y axis, mirrored where the side is -1.</summary>
-    private static MassProperties Moved(in MassProperties body, double by, double side) =>
+    public static MassProperties Moved(in MassProperties body, double by, double side) =>
         body.Turned(QuaternionD.Identity, new Double3(0, side * body.Center.Y + by, 0));
 
-    private static MassProperties Even(double volume, in Double3 center, in Double3 meanSquares) =>
+    public static MassProperties Even(double volume, in Double3 center, in Double3 meanSquares) =>
         new(volume, center, meanSquares * volume);
 }

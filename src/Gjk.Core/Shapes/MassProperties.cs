@@ -60,7 +60,7 @@ public readonly struct MassProperties
     {
         QuaternionD turn = QuaternionD.Identity;
         MassProperties body = this;
-        for (int i = 0; i < MostTurns && body.TryTurn(out QuaternionD next); i++)
+        for (int i = 0; i < MostTurns && body.TryJacobiRotation(out QuaternionD next); i++)
         {
             turn *= next;
             turn *= 1 / Math.Sqrt(turn.LengthSquared);
@@ -73,7 +73,7 @@ public readonly struct MassProperties
 
     /// <summary>The turn of the axes that leaves nothing of the largest product.</summary>
     /// <returns>False where it is rounding.</returns>
-    private bool TryTurn(out QuaternionD turn)
+    private bool TryJacobiRotation(out QuaternionD turn)
     {
         Double3 p = _products, s = _squares;
         double xy = Math.Abs(p.X), xz = Math.Abs(p.Y), yz = Math.Abs(p.Z);
@@ -116,7 +116,7 @@ public readonly struct MassProperties
     public MassProperties At(in RigidPose pose)
     {
         Guard.Pose(pose, nameof(pose));
-        return Turned(pose.Rotation, (Double3)VectorDD.Place(pose, Center));
+        return Turned(pose.Rotation, (Double3)VectorDD.ToWorld(pose, Center));
     }
 
     /// <summary>The same body, turned, with its centre elsewhere.</summary>

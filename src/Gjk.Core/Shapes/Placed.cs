@@ -21,7 +21,7 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     {
         Guard.Pose(pose, nameof(pose));
         _inner = inner;
-        _placement = new Placement(pose, ShapeTraits<T>.Of.PlacementOf(ref _inner), Core.Center);
+        _placement = new Placement(pose, ShapeTraits<T>.Instance.PlacementOf(ref _inner), Core.Center);
     }
 
     private Placed(in T core)
@@ -50,7 +50,7 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     private bool IsPlaced => _placement is not null && _placement != Placement.None;
 
     /// <summary>The shape inside, without the poses that it was placed at before.</summary>
-    private T Core => ShapeTraits<T>.Of.InCoreAxes(_inner);
+    private T Core => ShapeTraits<T>.Instance.InCoreAxes(_inner);
 
     object ILibraryShape.MakeTraits() => new PlacedTraits<Placed<T>>(ShapeTraits<T>.AreTight);
 
@@ -61,7 +61,7 @@ public readonly struct Placed<T> : ISupportMap, IPlacedShape<Placed<T>>
     bool ILibraryShape.TryGetForm(out ShapeForm form)
     {
         T core = Core;
-        if (_placement is not null && ShapeTraits<T>.Of.TryGetForm(ref core, out form))
+        if (_placement is not null && ShapeTraits<T>.Instance.TryGetForm(ref core, out form))
             return !IsPlaced || _placement.TryPlace(ref form);
         return ShapeForm.None(out form);
     }

@@ -13,7 +13,7 @@ internal static class PrimitiveFaces
     /// <summary>A segment, or the end of it that lies further.</summary>
     public static void Segment(in Double3 a, in Double3 b, in Double3 direction, ref FaceCorners corners)
     {
-        bool isEdge = FaceTilt.IsLevelEdge(corners.Seen(b - a), corners.SeenFrom(direction));
+        bool isEdge = FaceTilt.IsLevelEdge(corners.ToOuter(b - a), corners.OuterDirection(direction));
         int id = PrimitiveSupport.Segment(a, b, direction, out _);
         if (isEdge || id == 0) corners.Add(a, 0);
         if (isEdge || id == 1) corners.Add(b, 1);
@@ -40,8 +40,8 @@ internal static class PrimitiveFaces
 
     /// <summary>Whether a cylinder's cap lies more level than the furthest line of its side.</summary>
     private static bool IsCap(in Double3 d, double radial, in FaceCorners corners) => radial == 0
-        || Math.Abs(corners.Along(new Double3(0, 1, 0), d))
-            >= corners.Along(new Double3(d.X / radial, 0, d.Z / radial), d);
+        || Math.Abs(corners.OuterCosine(new Double3(0, 1, 0), d))
+            >= corners.OuterCosine(new Double3(d.X / radial, 0, d.Z / radial), d);
 
     /// <summary>A cone's base, or the line of its side that lies furthest.</summary>
     public static void Cone(double radius, double halfHeight, in Double3 direction, ref FaceCorners corners)

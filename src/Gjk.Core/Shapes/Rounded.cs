@@ -39,16 +39,16 @@ public readonly struct Rounded<T> : ISupportMap, IPlacedShape<Rounded<T>>
         get
         {
             T inner = _inner;
-            return ShapeTraits<T>.Of.PlacementOf(ref inner);
+            return ShapeTraits<T>.Instance.PlacementOf(ref inner);
         }
     }
 
-    Rounded<T> IPlacedShape<Rounded<T>>.InCoreAxes() => new(ShapeTraits<T>.Of.InCoreAxes(_inner), _radius);
+    Rounded<T> IPlacedShape<Rounded<T>>.InCoreAxes() => new(ShapeTraits<T>.Instance.InCoreAxes(_inner), _radius);
 
     bool ILibraryShape.TryGetForm(out ShapeForm form)
     {
         T inner = _inner;
-        bool found = ShapeTraits<T>.Of.TryGetForm(ref inner, out form);
+        bool found = ShapeTraits<T>.Instance.TryGetForm(ref inner, out form);
         form.Round(_radius);
         return found;
     }

@@ -53,7 +53,7 @@ internal struct RoundedLayer(in Double3 apex, double radius)
 
         // Of the two sides of what is flat the sine is rounding.
         if (cosine < 0) sine = Math.Max(sine, 0);
-        double angle = ArcTangent.Of(sine, cosine), sector = angle * _square * length;
+        double angle = ArcTangent.Atan2(sine, cosine), sector = angle * _square * length;
         Double3 mean = left * sine + down * (1 - cosine), sum = a + b;
         _volume += sector;
         _first += sum * (sector / 2) + mean * (_cube * length);
@@ -90,7 +90,7 @@ internal struct RoundedLayer(in Double3 apex, double radius)
     }
 
     private static double Angle(in Double3 a, in Double3 b) =>
-        ArcTangent.Of(Double3.Cross(a, b).Length, Double3.Dot(a, b));
+        ArcTangent.Atan2(Double3.Cross(a, b).Length, Double3.Dot(a, b));
 
     /// <summary>Adds the symmetric product of two vectors to the second moments.</summary>
     private void Spread(double weight, in Double3 a, in Double3 b)

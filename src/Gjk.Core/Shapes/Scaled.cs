@@ -26,7 +26,7 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     {
         _inner = inner;
         _scale = new AxisScale(Guard.Scale(scale, nameof(scale)));
-        _scale.Place(inner.Center, out _center, out _centerError);
+        _scale.ScaleCenter(inner.Center, out _center, out _centerError);
         _boundingRadius = inner.BoundingRadius * _scale.Largest + _centerError.Length;
         if (!(_boundingRadius >= 0) || (_scale.KeepsBalls && ShapeTraits<T>.AreTight)) return;
         _boundingRadius = Math.Min(_boundingRadius, CoreExtent.Radius(ref this) + Margin);
@@ -56,7 +56,7 @@ public readonly struct Scaled<T> : ISupportMap, ILibraryShape
     internal bool TryGetForm(out ShapeForm form)
     {
         T inner = _inner;
-        if (!(_scale.Largest > 0) || !ShapeTraits<T>.Of.TryGetForm(ref inner, out form) || !form.Scale(_scale))
+        if (!(_scale.Largest > 0) || !ShapeTraits<T>.Instance.TryGetForm(ref inner, out form) || !form.Scale(_scale))
             return ShapeForm.None(out form);
         form.Center = _center;
         form.CenterError = _scale.Outward(form.CenterError) + _centerError;

@@ -42,6 +42,7 @@ public enum ShapeKind : byte
     /// <summary>All points on one side of a plane.</summary>
     HalfSpace = 12,
 
-    /// <summary>A shape of the caller's own; no file holds it.</summary>
-    Custom = 13,
+    /// <summary>A shape of the caller's own; no file holds it. The last number, so that new kinds follow the
+    /// others.</summary>
+    Custom = 255,
 }

@@ -5,10 +5,9 @@ internal struct ShapeParts
 {
     public ShapeKind Kind;
 
-    /// <summary>Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Ellipsoid: A, the
-    /// radii. Cylinder and cone: A, the radius and half the height. Tapered capsule: A, both radii and half the height.
-    /// Half-space: A, the normal, B, the offset, and C, the normal's rounding (<see cref="HalfSpaceCore"/>).
-    /// They are doubles, because a scale may have been multiplied in.</summary>
+    /// <summary>Segment and capsule: the ends. Triangle: the corners. Box: A, the half extents. Half-space: A, the
+    /// normal, B, the offset, and C, the normal's rounding (<see cref="HalfSpaceCore"/>). A kind that is kept as a
+    /// struct: A, what that is made from. They are doubles, because a scale may have been multiplied in.</summary>
     public Double3 A, B, C;
 
     /// <summary>What is applied to each support; null where it was multiplied in, or nothing is scaled.</summary>
@@ -31,7 +30,7 @@ internal struct ShapeParts
     public ConvexHull? Hull;
 
     /// <summary>The shape struct of a kind that is kept as one, made from A; null for the others.</summary>
-    public ILibraryShape? Curve;
+    public ICurve? Curve;
 
     /// <summary>A <see cref="ScaledLayer"/>, or the shape of a user, if there is one; then of the rest only the kind,
     /// the rounding and the placement are used.</summary>

@@ -12,6 +12,6 @@ internal sealed class ShapeScale
     public ShapeScale(in Double3 factors, in Double3 center)
     {
         Axes = new AxisScale(factors);
-        Axes.Place(center, out Center, out CenterError);
+        Axes.ScaleCenter(center, out Center, out CenterError);
     }
 }

@@ -1,10 +1,12 @@
+using static Gjk.Core.MassForms;
+
 namespace Gjk.Core;
 
 /// <summary>A tapered capsule along the local y axis: the hull of two balls, of which one may be larger.</summary>
 /// <remarks>The radius of the smaller ball is the margin. What is left of that ball is a point, the tip, and the core
 /// is the hull of it and the rest of the larger ball. Of equal balls the core is a segment, as a capsule's, and where
 /// one ball holds the other, a point: these two are as exact as capsules and spheres are.</remarks>
-public readonly struct TaperedCapsuleShape : ISupportMap, ILibraryShape
+public readonly struct TaperedCapsuleShape : ISupportMap, ICurve
 {
     private readonly double _topRadius, _bottomRadius, _halfHeight, _margin;
 
@@ -82,6 +84,19 @@ public readonly struct TaperedCapsuleShape : ISupportMap, ILibraryShape
         return true;
     }
 
+    /// <summary>A frustum between the circles at which the side touches the balls, and a cap on each. The sine is that
+    /// of the side's normal over the level.</summary>
+    MassProperties ICurve.GetMass(double rounding)
+    {
+        double top = _topRadius + rounding, bottom = _bottomRadius + rounding, height = 2 * _halfHeight;
+        if (height <= Math.Abs(top - bottom))
+            return Ball(Math.Max(top, bottom), new Double3(0, top > bottom ? _halfHeight : -_halfHeight, 0));
+        double sine = (bottom - top) / height, cosine = Math.Sqrt((1 - sine) * (1 + sine));
+        MassProperties frustum = Frustum(bottom * cosine, top * cosine, height * cosine * cosine);
+        return Moved(frustum, bottom * sine - _halfHeight, 1)
+            + Moved(Rim(0, top, sine), _halfHeight, 1) + Moved(Rim(0, bottom, -sine), -_halfHeight, -1);
+    }
+
     /// <summary>The tip, or the point of the ball that lies furthest: the plane that touches both divides the
     /// directions.</summary>
     public int Support(in Double3 direction, out Double3 point)
@@ -114,7 +129,7 @@ public readonly struct TaperedCapsuleShape : ISupportMap, ILibraryShape
         {
             double outward = _excess * cosine / radial;
             onBall = new Double3(outward * d.X, _ball + _excess * sine, outward * d.Z);
-            hasSide = FaceTilt.IsLevelEdge(corners.Seen(onBall - Tip), corners.SeenFrom(direction));
+            hasSide = FaceTilt.IsLevelEdge(corners.ToOuter(onBall - Tip), corners.OuterDirection(direction));
         }
 
         if (hasSide || IsTip(d.Y, length)) corners.Add(Tip, 0);

@@ -62,7 +62,7 @@ public readonly struct TriangleShape : ISupportMap, ILibraryShape
     {
         ref readonly Vector3 corner = ref TriangleCore.Corner(A, id);
         Double3.Write(corner.X - _center.X, corner.Y - _center.Y, corner.Z - _center.Z, out point);
-        return TriangleCore.Has(id);
+        return TriangleCore.HasVertex(id);
     }
 
     internal static Double3 Centroid(in Double3 a, in Double3 b, in Double3 c) => (a + b + c) * (1.0 / 3);

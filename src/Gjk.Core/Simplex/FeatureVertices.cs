@@ -15,9 +15,9 @@ internal struct FeatureVertices
     /// <summary>Of a face: 1 where (B - A) × (C - A) points away from the origin, else -1.</summary>
     public double Winding;
 
-    /// <summary>No vertices yet. Number by number, so that all of them can live in registers.</summary>
+    /// <summary>Makes an empty feature. Fields are set one by one, so that all of them can live in registers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Begin(out FeatureVertices vertices)
+    public static void Make(out FeatureVertices vertices)
     {
         vertices.A.X = vertices.A.Y = vertices.A.Z = 0;
         vertices.B.X = vertices.B.Y = vertices.B.Z = 0;
@@ -29,7 +29,7 @@ internal struct FeatureVertices
 
     /// <summary>Winds a face the other way, so that it points away from the origin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void TurnOver()
+    public void Flip()
     {
         (B, C) = (C, B);
         Winding = -Winding;
@@ -63,7 +63,7 @@ internal struct MinkowskiVertex(in Double3 w, int slot)
         get => new(X, Y, Z);
     }
 
-    /// <summary>Takes another's place number by number, which stays in registers where a copy of the whole would
+    /// <summary>Copies another vertex field by field: the fields stay in registers, and a copy of the struct would
     /// not.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(in MinkowskiVertex other)

@@ -30,7 +30,7 @@ internal unsafe partial struct Polytope
     /// <summary>How many cuts there are.</summary>
     public readonly int CutCount => _cutCount;
 
-    /// <summary>Leaves the directions out that lie along another, and the vertices that only they see.</summary>
+    /// <summary>Cuts off the directions on one side of a plane, and the vertices that only they see.</summary>
     /// <param name="direction">Of unit length.</param>
     /// <returns>False when there is no room; the surface is then no longer closed.</returns>
     public bool TryCut(in Double3 direction)
@@ -40,7 +40,7 @@ internal unsafe partial struct Polytope
         double most = CutNoise;
         for (int i = 0; i < _faceCount; i++)
         {
-            if (!IsThere(i)) continue;
+            if (!IsLive(i)) continue;
             double cosine = Double3.Dot(_faces[i].UnitNormal, direction);
             if (!(cosine > most)) continue;
             most = cosine;
@@ -67,10 +67,9 @@ internal unsafe partial struct Polytope
         return isWhole;
     }
 
-    /// <summary>A cut between the two faces below a height whose normals are about the furthest from each
-    /// other.</summary>
+    /// <summary>A cut that separates the two faces below a height whose normals are about the furthest apart.</summary>
     /// <param name="limit">There is such a face.</param>
-    public readonly Double3 Halving(double limit)
+    public readonly Double3 BisectingCut(double limit)
     {
         int first = FurthestFrom(Lowest(out _), limit), second = FurthestFrom(first, limit);
         Double3 between = _faces[second].UnitNormal - _faces[first].UnitNormal;
@@ -84,7 +83,7 @@ internal unsafe partial struct Polytope
         double least = double.PositiveInfinity;
         for (int i = 0; i < _faceCount; i++)
         {
-            if (!IsThere(i) || !(_faces[i].Height < limit)) continue;
+            if (!IsLive(i) || !(_faces[i].Height < limit)) continue;
             double cosine = Double3.Dot(_faces[i].UnitNormal, _faces[face].UnitNormal);
             if (!(cosine < least)) continue;
             least = cosine;
@@ -100,9 +99,9 @@ internal unsafe partial struct Polytope
     private static bool IsOpen(PolytopeFace* face) =>
         IsDirection(face->Vertices[0]) || IsDirection(face->Vertices[1]) || IsDirection(face->Vertices[2]);
 
-    /// <summary><see cref="TakeAway"/> for a cut: what its ray sees.</summary>
+    /// <summary><see cref="RemoveVisible"/> for a cut: what its ray sees.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private readonly int TakeAwayBeyond(int face, int cut)
+    private readonly int RemoveBeyondCut(int face, int cut)
     {
         Double3 direction = _cuts[cut - Room];
         int height = BeginRim(face), rim = 0;
@@ -127,7 +126,7 @@ internal unsafe partial struct Polytope
         for (int i = 0; i < Room + MostCuts; i++) moved[i] = i < Kept ? (ushort)0 : none;
         for (int i = 0; i < _faceCount; i++)
         {
-            for (int k = 0; k < 3 && IsThere(i); k++) moved[_faces[i].Vertices[k]] = 0;
+            for (int k = 0; k < 3 && IsLive(i); k++) moved[_faces[i].Vertices[k]] = 0;
         }
 
         int count = 0;
@@ -140,7 +139,7 @@ internal unsafe partial struct Polytope
 
         for (int i = 0; i < _faceCount; i++)
         {
-            for (int k = 0; k < 3 && IsThere(i); k++)
+            for (int k = 0; k < 3 && IsLive(i); k++)
             {
                 ref ushort vertex = ref _faces[i].Vertices[k];
                 if (!IsDirection(vertex)) vertex = moved[vertex];
@@ -175,7 +174,7 @@ internal unsafe partial struct Polytope
             if (!IsDirection(vertex)) least = Math.Min(least, Double3.Dot(normal, _vertices[vertex].W));
         }
 
-        Put(index, normal, least);
+        SetNormal(index, normal, least);
         if (normal != default) return;
         face->Offset = double.PositiveInfinity;
         _keys[index] = KeyOf(AtInfinity, index);

@@ -27,9 +27,9 @@ internal unsafe partial struct Polytope
         return SlotOf(key);
     }
 
-    /// <summary>What orders faces by height and knows their slots: h |h|, of an offset d and a normal n as d |d| / n²,
-    /// so that no root is drawn, with the slot for the last nine bits. Heights that differ by less than one part in
-    /// 2^43 may change places; that is below float's rounding, which a depth ends with.</summary>
+    /// <summary>The sort key of a face: h |h| of its height h, from its offset d and its normal n as d |d| / n², so
+    /// that no root is taken. The slot takes the place of the last nine bits. Heights that differ by less than one part
+    /// in 2^43 may change places; that is below float's rounding, which a depth ends with.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static double KeyOf(double square, int slot) =>
         BitConverter.Int64BitsToDouble((BitConverter.DoubleToInt64Bits(square) & ~SlotBits) | (long)slot);
@@ -70,8 +70,8 @@ internal unsafe partial struct Polytope
         ref readonly Double3 p = ref _vertices[face->Vertices[0]].W, q = ref _vertices[face->Vertices[1]].W;
         ref readonly Double3 r = ref _vertices[face->Vertices[2]].W;
         Double3.Normal(p, q, r, out face->Normal);
-        double least = Offsets(face->Normal, p, q, r, out double most), length = Put(index, least);
-        return (most - least <= length * _level && _keys[index] >= lowest) || TryMend(index, lowest);
+        double least = Offsets(face->Normal, p, q, r, out double most), length = SetNormal(index, least);
+        return (most - least <= length * _level && _keys[index] >= lowest) || TryRepair(index, lowest);
     }
 
     /// <summary>Mends a face whose normal rounding has turned. Where its corners are not level, as a needle's, the
@@ -81,7 +81,7 @@ internal unsafe partial struct Polytope
     /// origin, along which its height is the most.</summary>
     /// <returns>False when the face is one of the first four, and has no normal.</returns>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private readonly bool TryMend(int index, double lowest)
+    private readonly bool TryRepair(int index, double lowest)
     {
         PolytopeFace* face = _faces + index;
         Double3 p = _vertices[face->Vertices[0]].W, q = _vertices[face->Vertices[1]].W;
@@ -93,26 +93,27 @@ internal unsafe partial struct Polytope
             double length = cross.Length;
             if (!(length > 0) && index < 4) return false;
             normal = length > 0 ? cross * (1 / length) : _faces[face->Twins[0] >> 2].UnitNormal;
-            Put(index, normal, Offsets(normal, p, q, r, out _));
+            SetNormal(index, normal, Offsets(normal, p, q, r, out _));
         }
 
         if (_keys[index] >= lowest) return true;
         Double3 nearest = ClosestPointWeights.Triangle(p, q, r).PointOf(p, q, r, default);
         normal = nearest * (1 / nearest.Length);
         least = Offsets(normal, p, q, r, out _);
-        if (least * Math.Abs(least) > _keys[index]) Put(index, normal, least);
+        if (least * Math.Abs(least) > _keys[index]) SetNormal(index, normal, least);
         return true;
     }
 
-    private readonly void Put(int index, in Double3 normal, double least)
+    private readonly void SetNormal(int index, in Double3 normal, double least)
     {
         _faces[index].Normal = normal;
-        Put(index, least);
+        SetNormal(index, least);
     }
 
-    /// <summary>Sets what follows from a face's normal; gives the sum of its magnitudes.</summary>
+    /// <summary>Sets the limit, the offset and the key that follow from a face's normal. Returns the sum of the
+    /// normal's magnitudes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly double Put(int index, double least)
+    private readonly double SetNormal(int index, double least)
     {
         PolytopeFace* face = _faces + index;
         double length = face->Normal.SumOfMagnitudes, squared = face->Normal.LengthSquared;

@@ -39,7 +39,7 @@ internal unsafe partial struct Polytope
         uint bad = Vector256.AndNot(isThere, isGood).ExtractMostSignificantBits();
         bool have = true;
         for (int i = first; bad != 0; i++, bad >>= 1)
-            if ((bad & 1) != 0) have &= TryMend(i, lowest);
+            if ((bad & 1) != 0) have &= TryRepair(i, lowest);
         return have;
     }
 

@@ -23,7 +23,8 @@ internal unsafe partial struct Polytope
 
     private const int BytesPerVertex = 96, BytesPerFace = 64, Alignment = 64;
 
-    /// <summary>Edges of faces that are being taken away, and of their rim: three more than there are faces.</summary>
+    /// <summary>Count: room for the edges of the faces that are removed, and for those of their rim. The first face
+    /// adds three edges, each other one at most one.</summary>
     private const int MostEdges = MostFaces + 4;
 
     /// <summary>Counts: the room that a search begins with. Mono clears what is allocated on the stack, 40 kilobytes as
@@ -99,7 +100,7 @@ internal unsafe partial struct Polytope
     public readonly ref PolytopeFace Face(int index) => ref _faces[index];
 
     /// <summary>Whether the face is part of the surface.</summary>
-    public readonly bool IsThere(int face) => _keys[face] < Gone;
+    public readonly bool IsLive(int face) => _keys[face] < Gone;
 
     /// <summary>A place for a vertex, and its index.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -141,10 +142,10 @@ internal unsafe partial struct Polytope
         Double3 normal = Double3.Cross(_vertices[b].W - origin, _vertices[c].W - origin);
         if (Double3.Dot(normal, _vertices[3].W - origin) > 0) (b, c) = (c, b);
         _faceCount = 4;
-        _faces[0].Name(0, b, c);
-        _faces[1].Name(0, c, 3);
-        _faces[2].Name(0, 3, b);
-        _faces[3].Name(b, 3, c);
+        _faces[0].SetVertices(0, b, c);
+        _faces[1].SetVertices(0, c, 3);
+        _faces[2].SetVertices(0, 3, b);
+        _faces[3].SetVertices(b, 3, c);
         Join(0, 0, 2, 2);
         Join(0, 1, 3, 2);
         Join(0, 2, 1, 0);
@@ -162,7 +163,7 @@ internal unsafe partial struct Polytope
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryExpand(int face, int vertex, double lowest)
     {
-        int rim = IsDirection(vertex) ? TakeAwayBeyond(face, vertex) : TakeAway(face, _vertices[vertex].W);
+        int rim = IsDirection(vertex) ? RemoveBeyondCut(face, vertex) : RemoveVisible(face, _vertices[vertex].W);
         if (rim < 3 || (_faceCount + rim + 3 > MostFaces && !TryMakeRoom(rim))) return false;
         int first = _faceCount, last = first + rim - 1;
         bool isCycle = true;
@@ -172,7 +173,7 @@ internal unsafe partial struct Polytope
             PolytopeFace* outer = _faces + (twin >> 2), added = _faces + made;
             int from = outer->Vertices[Next(edge)], to = outer->Vertices[edge];
             isCycle &= i == 0 || added[-1].Vertices[1] == from;
-            added->Name(from, to, vertex);
+            added->SetVertices(from, to, vertex);
             outer->Twins[edge] = (ushort)(made << 2);
             added->Twins[0] = (ushort)twin;
             added->Twins[1] = (ushort)((made == last ? first : made + 1) << 2 | 2);
@@ -186,10 +187,11 @@ internal unsafe partial struct Polytope
         return true;
     }
 
-    /// <summary>Takes the face away, and all that is reached from it across edges and that a point is above.</summary>
+    /// <summary>Removes a face, and all faces that a point is above and that are connected to it over such
+    /// faces.</summary>
     /// <returns>How many edges the rim has.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int TakeAway(int face, in Double3 point)
+    private int RemoveVisible(int face, in Double3 point)
     {
         int height = BeginRim(face), rim = 0;
         while (height > 0)
@@ -204,7 +206,7 @@ internal unsafe partial struct Polytope
         return rim;
     }
 
-    /// <summary>Takes a face away, and puts its edges onto the stack, the first on top.</summary>
+    /// <summary>Removes a face and pushes its edges, the first on top.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly int BeginRim(int face)
     {
@@ -215,7 +217,7 @@ internal unsafe partial struct Polytope
         return 3;
     }
 
-    /// <summary>Takes the face across an edge away, and puts its other edges onto the stack, the next on top.</summary>
+    /// <summary>Removes the face across an edge and pushes its other edges, the next on top.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private readonly int Cross(int twin, int height)
     {
@@ -255,7 +257,7 @@ internal unsafe partial struct Polytope
         int count = 0;
         for (int i = 0; i < _faceCount; i++)
         {
-            if (!IsThere(i)) continue;
+            if (!IsLive(i)) continue;
             moved[i] = (ushort)count;
             if (i != count) _faces[count] = _faces[i];
             _keys[count] = KeyOf(_keys[i], count);

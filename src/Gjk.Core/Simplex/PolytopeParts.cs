@@ -34,7 +34,7 @@ internal unsafe struct PolytopeFace
     public readonly Double3 UnitNormal => Normal * (1 / Math.Sqrt(NormalSquared));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Name(int a, int b, int c)
+    public void SetVertices(int a, int b, int c)
     {
         Vertices[0] = (ushort)a;
         Vertices[1] = (ushort)b;

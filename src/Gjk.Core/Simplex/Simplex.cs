@@ -32,7 +32,7 @@ internal unsafe struct Simplex
     public readonly ref DifferenceVertex At(int slot)
     {
         Debug.Assert((uint)slot < 4);
-        return ref Uncleared.At(_first, slot);
+        return ref UnsafeRef.At(_first, slot);
     }
 
     /// <summary>The vertex in a slot: a point of A - B, in A's frame.</summary>
@@ -60,20 +60,20 @@ internal unsafe struct Simplex
 
     public readonly int IdB(int slot) => At(slot).IdB;
 
-    /// <summary>An empty simplex; the contents of the slots are not cleared where the runtime lets them be.</summary>
+    /// <summary>Makes an empty simplex. The slots are not cleared where the runtime allows it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Begin(out Simplex simplex)
+    public static void Make(out Simplex simplex)
     {
-        Uncleared.Begin(out simplex);
+        UnsafeRef.SkipInit(out simplex);
         simplex.Clear();
     }
 
-    /// <summary>No vertices, and slot numbers that are some, so that nothing can be read out of bounds.</summary>
+    /// <summary>Removes all vertices. The slot numbers become 0, so that nothing is read out of bounds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Clear() => A = B = C = D = Count = 0;
 
-    /// <summary>Makes w, a vertex of A - B made from a support point of each, the newest one, A; there must be
-    /// room.</summary>
+    /// <summary>Adds a vertex w of A - B with the support points that it is made of; it becomes the newest one, A.
+    /// There must be room.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Push(in Double3 w, in Double3 onA, in Double3 onB, int idA, int idB)
     {
@@ -107,10 +107,10 @@ internal unsafe struct Simplex
         D = d;
     }
 
-    /// <summary>The weighted sum of A's support points, as a value.</summary>
-    public readonly Double3 MeanOnA(in Weights w)
+    /// <summary>The witness point on A: the weighted sum of its support points.</summary>
+    public readonly Double3 WitnessOnA(in Weights w)
     {
-        Points(w, out Xyz point, out _);
+        WitnessPoints(w, out Xyz point, out _);
         return point.ToDouble3();
     }
 
@@ -137,9 +137,9 @@ internal unsafe struct Simplex
         return point;
     }
 
-    /// <summary>The weighted sums of the support points.</summary>
+    /// <summary>The witness points on A and B: the weighted sums of the support points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Points(in Weights w, out Xyz onA, out Xyz onB)
+    public readonly void WitnessPoints(in Weights w, out Xyz onA, out Xyz onB)
     {
         At(A).OnA.Load().Times(w.A, out onA);
         At(A).OnB.Load().Times(w.A, out onB);
@@ -167,7 +167,8 @@ internal struct DifferenceVertex
 
     private readonly double _endB;
 
-    /// <summary>Writes all of it; each register covers what is behind it, too.</summary>
+    /// <summary>Writes all fields. A register is a double wider than a point, and writes the field behind it,
+    /// too.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(in Double3 w, in Xyz onA, in Xyz onB, int idA, int idB)
     {

@@ -15,9 +15,10 @@ namespace Gjk.Core;
 /// double.</para>
 /// <para>It terminates because the distance falls strictly from round to round, or the loop hands over, and there are
 /// finitely many features. MaxIterations is a backstop.</para>
-/// <para>Verdicts. Apart: both bounds met. Enclosed: the origin is inside the tetrahedron, or nearer the feature than
-/// rounding can tell. Beyond: a plane is further than asked. Undecided: the caller is to hand over. Contradiction: a
-/// support point was NaN, or lay behind one that the same support had given before.</para>
+/// <para>Verdicts. Apart: both bounds met, or they passed each other by what a support may disagree with itself
+/// (<see cref="GjkTolerances.Contradiction"/>). Enclosed: the origin is inside the tetrahedron, or nearer the feature
+/// than rounding can tell. Beyond: a plane is further than asked. Undecided: the caller is to hand over. Contradiction:
+/// a support point was NaN, or lay further behind one that the same support had given before.</para>
 /// </remarks>
 internal static class GjkDistance
 {
@@ -67,7 +68,7 @@ internal static class GjkDistance
             }
             else if (vertices.Winding < 0)
             {
-                vertices.TurnOver();
+                vertices.Flip();
             }
 
             distanceSquared = feature.DistanceSquared;
@@ -83,9 +84,9 @@ internal static class GjkDistance
             int slot = vertices.FreeSlot;
             int ids = MinkowskiDifference.Support(
                 ref a, ref b, frame, feature.Normal, ref state.Simplex.At(slot), out Double3 w);
-            if (state.Matters<TA, TB>(ids))
+            if (state.ChangesTolerances<TA, TB>(ids))
             {
-                state.See(frame, state.Simplex.At(slot));
+                state.Observe(frame, state.Simplex.At(slot));
                 (touchSquared, noise) = (state.TouchSquared, state.Noise);
             }
 
@@ -109,7 +110,7 @@ internal static class GjkDistance
                 return;
             }
 
-            if (trace.IsOn) Tell(state, vertices, frame, ref trace);
+            if (trace.IsOn) TraceReduction(state, vertices, frame, ref trace);
             double before = distanceSquared;
             distanceSquared = feature.DistanceSquared;
             if (distanceSquared > touchSquared & distanceSquared < before & rounds < GjkTolerances.MaxIterations)
@@ -229,7 +230,7 @@ internal static class GjkDistance
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Tell<TTrace>(
+    private static void TraceReduction<TTrace>(
         in SolverState state, FeatureVertices vertices, in PairFrame frame, ref TTrace trace)
         where TTrace : struct, IGjkTrace
     {

@@ -32,7 +32,7 @@ internal static class GjkExtendedPrecision
             int slot = simplex.FreeSlot;
             int ids = MinkowskiDifference.Support(ref a, ref b, frame, normal, ref simplex.At(slot), out Double3 w);
             state.Iterations++;
-            if (state.Matters<TA, TB>(ids)) state.See(frame, simplex.At(slot));
+            if (state.ChangesTolerances<TA, TB>(ids)) state.Observe(frame, simplex.At(slot));
             if (trace.IsOn) trace.OnSupport(new TracedSupport(frame, normal, simplex.At(slot), isExtended: true));
             double plane = Double3.Dot(normal, w);
             if (simplex.Count > 0 && Ends(ref state, simplex, feature, plane, maxDistance, frame.Margins, limit))

@@ -24,7 +24,7 @@ internal static class GjkOverlap
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        FeatureVertices.Begin(out FeatureVertices vertices);
+        FeatureVertices.Make(out FeatureVertices vertices);
         ClosestFeature feature = default;
         Double3 first = frame.FirstNormal;
         feature.Normal = new Double3(first.X, first.Y, first.Z);

@@ -112,7 +112,8 @@ internal static class Proofs
     public static double DistanceOf(in SolverState state, in PairFrame frame, double scale) =>
         state.Feature.Height * scale - frame.MarginA - frame.MarginB;
 
-    /// <summary>Whether shapes that are so far apart touch. Every query asks this, so that all of them agree.</summary>
+    /// <summary>Whether shapes that are so far apart touch. Every walk ends with this, so that all queries agree;
+    /// balls, half-spaces and the lanes of <c>WideFinish</c> compare with the same tolerance.</summary>
     /// <param name="state">With the size and the verdict.</param>
     /// <param name="distance">As <see cref="DistanceOf"/> says.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -127,9 +128,8 @@ internal static class Proofs
             && determinant * determinant > error * error * a.LengthSquared * e.LengthSquared * f.LengthSquared;
     }
 
-    /// <summary>A point of the simplex, computed from its weights, is as near the origin as touching asks. Weights can
-    /// still prove what a sign leaves open where the origin lies on a face or an edge, as it does for flush
-    /// boxes.</summary>
+    /// <summary>True if the simplex's nearest point lies within the touch tolerance. Decides flush faces, where the
+    /// signs of determinants are uncertain.</summary>
     private static bool HoldsPointNear(ref SolverState state, double touchSquared)
     {
         state.Weights = ClosestPointWeights.Of(state.Simplex);

@@ -70,15 +70,15 @@ internal static class SideNormal<TA, TB, TTrace>
             ? new BestNormal(cornersA, cornersB, frame.Translation, known, state.Size.Value)
             : new BestNormal(cornersB, cornersA, default, -known, state.Size.Value);
         Double3 normal = isOfA ? best.Normal : -best.Normal;
-        Take(ref a, ref b, frame, normal, best.Axis, isOfA, known, ref state, ref trace);
+        AdoptIfProved(ref a, ref b, frame, normal, best.Axis, isOfA, known, ref state, ref trace);
     }
 
     /// <summary>Takes the normal, if it is as good as the one that is known.</summary>
-    private static void Take(
+    private static void AdoptIfProved(
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, bool isOfA, in Double3 known,
         ref SolverState state, ref TTrace trace)
     {
-        Simplex.Begin(out Simplex ends);
+        Simplex.Make(out Simplex ends);
         Double3 p = Support(ref a, ref b, frame, axis * Lean - normal, ref state, ref trace, ref ends, 0);
         Double3 q = Support(ref a, ref b, frame, axis * -Lean - normal, ref state, ref trace, ref ends, 1);
         Double3 w = Support(ref a, ref b, frame, -normal, ref state, ref trace, ref ends, 2);
@@ -113,7 +113,7 @@ internal static class SideNormal<TA, TB, TTrace>
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 axis, double gap, bool isOfA,
         ref SolverState state)
     {
-        Double3 onA = state.Simplex.MeanOnA(state.Weights);
+        Double3 onA = state.Simplex.WitnessOnA(state.Weights);
         Double3 between = -state.Simplex.PointOf(state.Weights), onB = onA + between;
         double along = Double3.Dot(normal, between), size = state.Size.Value;
         Double3 aside = between - normal * along;

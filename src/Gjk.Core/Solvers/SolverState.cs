@@ -59,34 +59,34 @@ internal struct SolverState
 
     /// <summary>Makes a state without vertices and planes; the contents of empty slots are not cleared.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Begin<TA, TB>(in PairFrame frame, out SolverState state)
+    public static void Make<TA, TB>(in PairFrame frame, out SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Uncleared.Begin(out state);
+        UnsafeRef.SkipInit(out state);
         state.Simplex.Clear();
         state.Iterations = 0;
         state.Plane.NormalSquared = 0;
         state.Verdict = Verdict.Undecided;
         state.IsCurved = false;
-        PairSize.Begin<TA, TB>(frame, out state.Size);
+        PairSize.Make<TA, TB>(frame, out state.Size);
     }
 
     /// <summary>Whether a support says anything that the tolerances depend on, so that See must be told of
     /// it.</summary>
     /// <param name="ids">Both ids; negative where one is.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly bool Matters<TA, TB>(int ids)
+    public readonly bool ChangesTolerances<TA, TB>(int ids)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         (ids < 0 && !IsCurved) || !(ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight);
 
     /// <summary>Takes note of what a support says about the shapes; the tolerances may have changed then.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public void See(in PairFrame frame, in DifferenceVertex vertex)
+    public void Observe(in PairFrame frame, in DifferenceVertex vertex)
     {
         IsCurved |= (vertex.IdA | vertex.IdB) < 0;
-        Size.See(frame, vertex.OnA, vertex.OnB);
+        Size.Observe(frame, vertex.OnA, vertex.OnB);
     }
 }
 

@@ -33,17 +33,17 @@ public struct WarmStart
 
     /// <summary>Puts the remembered vertices, as they are now, and the first search direction into a state without
     /// vertices; the direction alone when the shapes no longer have them.</summary>
-    internal readonly void Begin<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
+    internal readonly void Seed<TA, TB>(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         // A stray count is only a wrong guess.
         int count = (uint)_count <= 4u ? _count : 0;
         ref Simplex simplex = ref state.Simplex;
-        bool found = count > 0 && MinkowskiDifference.TryPlace(ref a, ref b, frame, _a0, _b0, ref simplex.At(0));
-        if (count > 1) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a1, _b1, ref simplex.At(1));
-        if (count > 2) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a2, _b2, ref simplex.At(2));
-        if (count > 3) found &= MinkowskiDifference.TryPlace(ref a, ref b, frame, _a3, _b3, ref simplex.At(3));
+        bool found = count > 0 && MinkowskiDifference.TryMakeVertex(ref a, ref b, frame, _a0, _b0, ref simplex.At(0));
+        if (count > 1) found &= MinkowskiDifference.TryMakeVertex(ref a, ref b, frame, _a1, _b1, ref simplex.At(1));
+        if (count > 2) found &= MinkowskiDifference.TryMakeVertex(ref a, ref b, frame, _a2, _b2, ref simplex.At(2));
+        if (count > 3) found &= MinkowskiDifference.TryMakeVertex(ref a, ref b, frame, _a3, _b3, ref simplex.At(3));
         if (found) simplex.Select(count, 0, 1, 2, 3);
         state.Feature.Normal = FirstNormal(frame);
     }
@@ -57,7 +57,7 @@ public struct WarmStart
     }
 
     /// <summary>Remembers where a query ended, unless the shapes contradicted themselves.</summary>
-    internal void Keep(in SolverState state)
+    internal void Save(in SolverState state)
     {
         if (state.Verdict == Verdict.Contradiction) Clear();
         else Store(state.Simplex, state.Feature.Normal);

@@ -18,12 +18,12 @@ internal unsafe interface IWideQuestion
     /// <param name="index">The pairs' places in the part.</param>
     /// <param name="lanes">How many of the four are pairs of their own.</param>
     /// <returns>One bit for each that was answered.</returns>
-    uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
+    uint SolveFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide;
 
     /// <summary>Answers one pair by its own query.</summary>
-    void Alone(in WideBatch batch, int pair);
+    void SolveAlone(in WideBatch batch, int pair);
 }
 
 /// <summary>How a pair is asked.</summary>
@@ -69,7 +69,7 @@ internal readonly unsafe ref struct WideDistances(
         return (uint)count < WideWarmStart.MostVertices ? WideRoute.Warm : WideRoute.Alone;
     }
 
-    public uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
+    public uint SolveFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
@@ -92,7 +92,7 @@ internal readonly unsafe ref struct WideDistances(
         return done;
     }
 
-    public void Alone(in WideBatch batch, int pair)
+    public void SolveAlone(in WideBatch batch, int pair)
     {
         ref ConvexShape a = ref batch.ShapeA(pair), b = ref batch.ShapeB(pair);
         ref RigidPose poseA = ref batch.PoseA(pair), poseB = ref batch.PoseB(pair);
@@ -122,7 +122,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
         return WideRoute.Answered;
     }
 
-    public uint AskFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
+    public uint SolveFour<TA, TB>(ref TA a, ref TB b, in WideBatch batch, ref WidePairs pairs, int* index, int lanes)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
     {
@@ -138,7 +138,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
         return apart | overlapping;
     }
 
-    public void Alone(in WideBatch batch, int pair) =>
+    public void SolveAlone(in WideBatch batch, int pair) =>
         ConvexQuery.Overlaps(
             batch.ShapeA(pair), batch.PoseA(pair), batch.ShapeB(pair), batch.PoseB(pair),
             out Unsafe.Add(ref _results, pair));

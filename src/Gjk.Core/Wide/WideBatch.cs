@@ -63,17 +63,17 @@ internal readonly unsafe ref struct WideBatch(
     private long IsPlaced(int pair) => ((ShapeA(pair).Core | ShapeB(pair).Core) & FormKind.Moved) == 0 ? 0 : -1;
 
     /// <summary>Where the cores are in the frames of four first shapes.</summary>
-    public WideTurn TurnsOfA(int* index) =>
-        WideTurn.Of(ShapeA(index[0]), ShapeA(index[1]), ShapeA(index[2]), ShapeA(index[3]));
+    public WideQuaternion CoreRotationsOfA(int* index) =>
+        WideQuaternion.FromShapes(ShapeA(index[0]), ShapeA(index[1]), ShapeA(index[2]), ShapeA(index[3]));
 
     /// <summary>Where the cores are in the frames of four second shapes.</summary>
-    public WideTurn TurnsOfB(int* index) =>
-        WideTurn.Of(ShapeB(index[0]), ShapeB(index[1]), ShapeB(index[2]), ShapeB(index[3]));
+    public WideQuaternion CoreRotationsOfB(int* index) =>
+        WideQuaternion.FromShapes(ShapeB(index[0]), ShapeB(index[1]), ShapeB(index[2]), ShapeB(index[3]));
 
     /// <summary>Asks about the part's pairs.</summary>
     /// <param name="count">How many there are.</param>
     /// <param name="question">What to ask, and where the answers go.</param>
-    public void Ask<TQuestion>(int count, ref TQuestion question)
+    public void Run<TQuestion>(int count, ref TQuestion question)
         where TQuestion : struct, IWideQuestion, allows ref struct
     {
         int* byKind = stackalloc int[MostPairs];
@@ -83,35 +83,35 @@ internal readonly unsafe ref struct WideBatch(
         {
             int length = starts[kind + 1] - starts[kind];
             int* index = byKind + starts[kind];
-            if (length > 0) AskKind(kind, index, length, ref question);
+            if (length > 0) RunKind(kind, index, length, ref question);
         }
     }
 
     /// <summary>Asks about pairs of one kind.</summary>
-    private void AskKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
+    private void RunKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
         where TQuestion : struct, IWideQuestion, allows ref struct
     {
         var kindA = (FormKind)(kind % CoreKinds / OneKinds);
-        if (kindA == FormKind.Box) AskKind<WideBoxes, TQuestion>(kind, index, count, ref question);
-        else if (kindA == FormKind.Hull) AskKind<WideHulls, TQuestion>(kind, index, count, ref question);
-        else if (kindA == FormKind.Segment) AskKind<WideSegments, TQuestion>(kind, index, count, ref question);
-        else AskKind<WideTriangles, TQuestion>(kind, index, count, ref question);
+        if (kindA == FormKind.Box) RunKind<WideBoxes, TQuestion>(kind, index, count, ref question);
+        else if (kindA == FormKind.Hull) RunKind<WideHulls, TQuestion>(kind, index, count, ref question);
+        else if (kindA == FormKind.Segment) RunKind<WideSegments, TQuestion>(kind, index, count, ref question);
+        else RunKind<WideTriangles, TQuestion>(kind, index, count, ref question);
     }
 
     /// <summary>The same where the kind of the first shapes is known.</summary>
-    private void AskKind<TA, TQuestion>(int kind, int* index, int count, ref TQuestion question)
+    private void RunKind<TA, TQuestion>(int kind, int* index, int count, ref TQuestion question)
         where TA : struct, IWideSide
         where TQuestion : struct, IWideQuestion, allows ref struct
     {
         var kindB = (FormKind)(kind % OneKinds);
-        if (kindB == FormKind.Box) Ask<TA, WideBoxes, TQuestion>(index, count, ref question);
-        else if (kindB == FormKind.Hull) Ask<TA, WideHulls, TQuestion>(index, count, ref question);
-        else if (kindB == FormKind.Segment) Ask<TA, WideSegments, TQuestion>(index, count, ref question);
-        else Ask<TA, WideTriangles, TQuestion>(index, count, ref question);
+        if (kindB == FormKind.Box) Run<TA, WideBoxes, TQuestion>(index, count, ref question);
+        else if (kindB == FormKind.Hull) Run<TA, WideHulls, TQuestion>(index, count, ref question);
+        else if (kindB == FormKind.Segment) Run<TA, WideSegments, TQuestion>(index, count, ref question);
+        else Run<TA, WideTriangles, TQuestion>(index, count, ref question);
     }
 
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
-    private void Ask<TA, TB, TQuestion>(int* index, int count, ref TQuestion question)
+    private void Run<TA, TB, TQuestion>(int* index, int count, ref TQuestion question)
         where TA : struct, IWideSide
         where TB : struct, IWideSide
         where TQuestion : struct, IWideQuestion, allows ref struct
@@ -134,11 +134,11 @@ internal readonly unsafe ref struct WideBatch(
                 }
 
                 WideFrame.Begin(this, four, question.Reach, ref pairs);
-                done = question.AskFour(ref a, ref b, this, ref pairs, four, lanes);
+                done = question.SolveFour(ref a, ref b, this, ref pairs, four, lanes);
             }
 
             for (int i = 0; i < lanes; i++)
-                if ((done >> i & 1) == 0) question.Alone(this, four[i]);
+                if ((done >> i & 1) == 0) question.SolveAlone(this, four[i]);
         }
     }
 
@@ -176,9 +176,9 @@ internal readonly unsafe ref struct WideBatch(
         if (route == WideRoute.Answered) return Answered;
         ref ConvexShape a = ref ShapeA(pair), b = ref ShapeB(pair);
         FormKind kindA = a.Core & ~FormKind.Moved, kindB = b.Core & ~FormKind.Moved;
-        if (route != WideRoute.Alone && kindA != 0 && kindB != 0 && !Balls.Are(ref a, ref b))
+        if (route != WideRoute.Alone && kindA != 0 && kindB != 0 && !Balls.AreBalls(ref a, ref b))
             return OneKinds * (int)kindA + (int)kindB + CoreKinds * (route - WideRoute.Cold);
-        question.Alone(this, pair);
+        question.SolveAlone(this, pair);
         return Answered;
     }
 

@@ -4,8 +4,8 @@ using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
-/// <summary>The results of four walks, as <c>ConvexQuery.Finish</c> and <see cref="ClosestPointWeights"/> have them;
-/// lanes that need more than the plain case are left to the scalar query.</summary>
+/// <summary>The results of four walks: the plain cases of <see cref="DistanceFinish.Write"/> and <see
+/// cref="ClosestPointWeights"/>. All other lanes are left to the scalar query.</summary>
 internal static unsafe class WideFinish
 {
     /// <summary>Finds the points, adds the margins and rounds.</summary>
@@ -64,7 +64,7 @@ internal static unsafe class WideFinish
         Lanes isVertex = Vector256.Equals(count, one), isFace = Vector256.Equals(count, Vector256.Create(3.0));
 
         // A face is wound away from the origin first.
-        s.TurnFaces(s.Closed & isFace & Vector256.LessThan(s.Winding, zero));
+        s.FlipFaces(s.Closed & isFace & Vector256.LessThan(s.Winding, zero));
         WideVector a = s.A, ab = s.B - a, ac = s.C - a, inPlane = WideVector.Cross(s.Normal, a);
         Lanes abSquared = ab.LengthSquared, t = -WideVector.Dot(ab, a) / abSquared;
         Lanes scale = one / s.NormalSquared;
@@ -109,7 +109,7 @@ internal static unsafe class WideFinish
         return inside;
     }
 
-    /// <summary>The rest of <c>ConvexQuery.Finish</c>.</summary>
+    /// <summary>The points, the bounds and the normals, as <see cref="DistanceFinish.Write"/> has them.</summary>
     private static uint Points(
         in WideBatch batch, int* index, in WidePairs s, in WideVector onA, in WideVector onB, float maxDistance,
         ref WideResults r)
@@ -142,8 +142,8 @@ internal static unsafe class WideFinish
         WideVector way = normal * distance, worldB = worldA + way;
         if (s.ArePlaced != zero)
         {
-            localA = WideVector.Select(s.ArePlaced, batch.TurnsOfA(index).Rotate(localA), localA);
-            localB = WideVector.Select(s.ArePlaced, batch.TurnsOfB(index).Rotate(localB), localB);
+            localA = WideVector.Select(s.ArePlaced, batch.CoreRotationsOfA(index).Rotate(localA), localA);
+            localB = WideVector.Select(s.ArePlaced, batch.CoreRotationsOfB(index).Rotate(localB), localB);
         }
 
         if (smaller != zero)

@@ -7,12 +7,13 @@ namespace Gjk.Core;
 /// one.</summary>
 internal static unsafe class WideFrame
 {
-    /// <summary>Reads the poses and the shapes' sizes, composes, and sets the walk to its beginning.</summary>
+    /// <summary>Reads the poses and the shapes' sizes, composes the frames, and sets the walks to their beginning. A
+    /// lane that only the scalar query can solve is not live.</summary>
     /// <param name="batch">The pairs' shapes and poses.</param>
     /// <param name="index">Four indices of pairs; unused lanes repeat the first.</param>
-    /// <param name="reach">As in <c>ConvexQuery.CoreReach</c>, for the asked distance, before the margins.</param>
+    /// <param name="reach">The first term of <see cref="ProvedDistance.CoreReach"/>: <see
+    /// cref="ProvedDistance.ShapeReach"/>.</param>
     /// <param name="s">The four pairs.</param>
-    /// <returns>One bit for each lane that can be solved here; the others are for the scalar query.</returns>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Begin(in WideBatch batch, int* index, double reach, ref WidePairs s)
     {
@@ -27,8 +28,8 @@ internal static unsafe class WideFrame
         s.ArePlaced = batch.ArePlaced(index);
         if (s.ArePlaced != Lanes.Zero)
         {
-            batch.TurnsOfA(index).Turn(s.ArePlaced, ref ax, ref ay, ref az, ref aw);
-            batch.TurnsOfB(index).Turn(s.ArePlaced, ref bx, ref by, ref bz, ref bw);
+            batch.CoreRotationsOfA(index).MultiplyInto(s.ArePlaced, ref ax, ref ay, ref az, ref aw);
+            batch.CoreRotationsOfB(index).MultiplyInto(s.ArePlaced, ref bx, ref by, ref bz, ref bw);
         }
 
         s.RotationA.Set(ax, ay, az, aw, two * normB * one);
@@ -53,7 +54,8 @@ internal static unsafe class WideFrame
         SetTolerances(reach, radius, margins, ref s);
     }
 
-    /// <summary>Points of the second shapes in the world, by their own poses as <c>ConvexQuery</c> has them.</summary>
+    /// <summary>Points of the second shapes in the world, by their own poses: as <see
+    /// cref="DistanceFinish.ToWorld"/>.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static WideVector PlaceB(in WideBatch batch, int* index, in WideVector local)
     {

@@ -58,7 +58,7 @@ internal struct WidePairs
 
     /// <summary>B and C change places in the lanes of the mask.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void TurnFaces(Lanes turned)
+    public void FlipFaces(Lanes turned)
     {
         WideVector b = B;
         B = WideVector.Select(turned, C, b);

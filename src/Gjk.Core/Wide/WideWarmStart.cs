@@ -25,7 +25,7 @@ internal static unsafe class WideWarmStart
         s.NormalSquared = s.Normal.LengthSquared;
     }
 
-    /// <summary>Places the remembered vertices where they are now: as <see cref="WarmStart.Begin"/> and what follows
+    /// <summary>Places the remembered vertices where they are now: as <see cref="WarmStart.Seed"/> and what follows
     /// it. There are four in each lane, or one to three.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Restore<TA, TB>(ref TA a, ref TB b, ref WarmStart starts, int* index, ref WidePairs s)
@@ -99,7 +99,7 @@ internal static unsafe class WideWarmStart
             & Vector256.GreaterThan(s.DistanceSquared, s.TouchSquared);
 
         // A face is wound away from the origin, as a scalar walk takes it over.
-        s.TurnFaces(isFace & Vector256.LessThan(winding, zero));
+        s.FlipFaces(isFace & Vector256.LessThan(winding, zero));
     }
 
     /// <summary>Remembers where the lanes that have their results ended: as <see cref="WarmStart.Store"/>.</summary>

@@ -30,7 +30,9 @@ public sealed partial class CollisionScene
     public void FindDepths(List<PairDistance> results, Workers? workers = null)
     {
         Guard.NotNull(results, nameof(results));
-        MeasureDepths(workers);
+        CollectTouching(0, workers);
+        _depths.HasParts = _objects.Parts.Any;
+        AnswerPairs(_depths, _touching, new SceneDepthJob(_objects, _touching, _depths), workers);
         results.Clear();
         for (int i = 0; i < _depths.Count; i++)
         {
@@ -54,30 +56,6 @@ public sealed partial class CollisionScene
     {
         Guard.NotNull(results, nameof(results));
         CheckDistance(maxGap, nameof(maxGap));
-        MakeContacts(maxGap, workers);
-        CopyContacts(_touching, _contacts, _unions, results);
-    }
-
-    private void CopyContacts(
-        List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, List<PairContacts> results)
-    {
-        results.Clear();
-        for (int i = 0; i < answers.Count; i++)
-        {
-            if (unions.Has(i) || _objects.Parts.Has(pairs[i])) results.AddRange(answers.Parts(i));
-            else if (answers[i].Manifold.Count > 0) results.Add(answers[i]);
-        }
-    }
-
-    private void MeasureDepths(Workers? workers)
-    {
-        CollectTouching(0, workers);
-        _depths.HasParts = _objects.Parts.Any;
-        AnswerPairs(_depths, _touching, new SceneDepthJob(_objects, _touching, _depths), workers);
-    }
-
-    private void MakeContacts(float maxGap, Workers? workers)
-    {
         if (maxGap != _contactGap)
         {
             _within.Forget();
@@ -86,12 +64,12 @@ public sealed partial class CollisionScene
 
         _contactGap = maxGap;
         CollectTouching(maxGap, workers);
-        MakeContacts(_touching, _contacts, _unions, maxGap, workers, true);
+        MakeContacts(_touching, _contacts, _unions, maxGap, results, workers, isKept: true);
     }
 
     private void MakeContacts(
-        List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap, Workers? workers,
-        bool isKept)
+        List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap,
+        List<PairContacts> results, Workers? workers, bool isKept)
     {
         unions.Collect(pairs, JoinsStatic);
         answers.HasParts |= _objects.Parts.Any || unions.Count > 0;
@@ -101,6 +79,12 @@ public sealed partial class CollisionScene
         Workers.Run(workers, job, pairs.Count, _objects.Parts.PartLength, CancellationToken.None);
         Workers.Run(workers, joined, unions.Count, PairBatch.ConcavePartLength, CancellationToken.None);
         answers.Complete();
+        results.Clear();
+        for (int i = 0; i < answers.Count; i++)
+        {
+            if (unions.Has(i) || _objects.Parts.Has(pairs[i])) results.AddRange(answers.Parts(i));
+            else if (answers[i].Manifold.Count > 0) results.Add(answers[i]);
+        }
     }
 
     /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>

@@ -25,13 +25,14 @@ public sealed partial class CollisionScene
     {
         CheckDistance(distance, nameof(distance));
         Guard.NotNull(results, nameof(results));
-        ConcaveScratch scratch = Invite(shape, pose, distance, filter, out int guest);
+        int guest = Invite(shape, pose, distance, filter);
+        ConcaveScratch? scratch = _objects.Parts.RentIfAny();
         results.Clear();
         foreach (int slot in _near)
         {
             if (_objects.Parts.Has(slot))
             {
-                _objects.Parts.FindDistances(new ObjectPair(guest, slot), distance, scratch, _guestDistances);
+                _objects.Parts.FindDistances(new ObjectPair(guest, slot), distance, scratch!, _guestDistances);
                 results.AddRange(_guestDistances);
                 continue;
             }
@@ -59,14 +60,15 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, List<PairDistance> results, in QueryFilter filter = default)
     {
         Guard.NotNull(results, nameof(results));
-        ConcaveScratch scratch = Invite(shape, pose, 0, filter, out int guest);
+        int guest = Invite(shape, pose, 0, filter);
+        ConcaveScratch? scratch = _objects.Parts.RentIfAny();
         results.Clear();
         foreach (int slot in _near)
         {
             var pair = new ObjectPair(guest, slot);
             if (_objects.Parts.Has(slot))
             {
-                _objects.Parts.FindDepths(pair, scratch, _guestDistances);
+                _objects.Parts.FindDepths(pair, scratch!, _guestDistances);
                 results.AddRange(_guestDistances);
             }
             else if (ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]))
@@ -98,12 +100,11 @@ public sealed partial class CollisionScene
     {
         CheckDistance(maxGap, nameof(maxGap));
         Guard.NotNull(results, nameof(results));
-        ConcaveScratch scratch = Invite(shape, pose, maxGap, filter, out int guest);
+        int guest = Invite(shape, pose, maxGap, filter);
         _guestPairs.Clear();
         foreach (int slot in _near) _guestPairs.Add(new ObjectPair(guest, slot));
-        MakeContacts(_guestPairs, _guestContacts, _guestUnions, maxGap, null, false);
-        CopyContacts(_guestPairs, _guestContacts, _guestUnions, results);
-        Dismiss(scratch);
+        MakeContacts(_guestPairs, _guestContacts, _guestUnions, maxGap, results, null, isKept: false);
+        _objects.Dismiss();
     }
 
     /// <summary>Collects the objects that are seen and whose bounds are within a distance of a shape, sorted, and then
@@ -112,24 +113,22 @@ public sealed partial class CollisionScene
     /// <param name="pose">Its pose.</param>
     /// <param name="distance">World units.</param>
     /// <param name="filter">Which objects are seen.</param>
-    /// <param name="guest">The shape's slot.</param>
-    /// <returns>For the questions about it, until <see cref="Dismiss"/>.</returns>
-    private ConcaveScratch Invite(
-        in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter, out int guest)
+    /// <returns>The shape's slot, for the questions about it, until it is dismissed.</returns>
+    private int Invite(in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter)
     {
         CheckShape(shape);
         CheckPose(pose);
-        _phase.CollectInBox(Widened(new ShapeBounds(shape).BoxAt(pose), distance), _near);
+        var bounds = new ShapeBounds(shape);
+        _phase.CollectInBox(Widened(bounds.BoxAt(pose), distance), _near);
         int kept = 0;
         for (int i = 0; i < _near.Count; i++)
             if (!_objects.AreEndless(shape, _near[i]) && _objects.IsSeen(_near[i], filter)) _near[kept++] = _near[i];
         _near.RemoveRange(kept, _near.Count - kept);
-        guest = _objects.Invite(shape, pose);
-        return _objects.Parts.Rent();
+        return _objects.Invite(shape, pose, bounds);
     }
 
     /// <summary>Lets go of the shape, and of what the questions about it used.</summary>
-    private void Dismiss(ConcaveScratch scratch)
+    private void Dismiss(ConcaveScratch? scratch)
     {
         _objects.Parts.Return(scratch);
         _objects.Dismiss();

@@ -18,8 +18,8 @@ public sealed partial class CollisionScene
     public bool TryFindNearest(int id, out PairDistance nearest)
     {
         int slot = _objects.Checked(id, nameof(id));
-        var search = new NearestSearch(_objects, slot);
-        return TryFindNearest(ref search, _objects.Bounds[slot], id, out nearest);
+        var search = new NearestSearch(_objects, slot, float.PositiveInfinity, default);
+        return TryFindNearest(ref search, out nearest);
     }
 
     /// <summary>The object nearest to a shape that is none of the scene's; of several at the same distance the one with
@@ -40,14 +40,18 @@ public sealed partial class CollisionScene
         CheckShape(shape);
         CheckPose(pose);
         CheckDistance(maxDistance, nameof(maxDistance));
-        var search = new NearestSearch(_objects, shape, pose, maxDistance, filter);
-        return TryFindNearest(ref search, new ShapeBounds(shape), -1, out nearest);
+        int guest = _objects.Invite(shape, pose, new ShapeBounds(shape));
+        var search = new NearestSearch(_objects, guest, maxDistance, filter);
+        bool isFound = TryFindNearest(ref search, out nearest);
+        _objects.Dismiss();
+        return isFound;
     }
 
     /// <summary>Looks in boxes that grow until an object is found.</summary>
-    private bool TryFindNearest(ref NearestSearch search, in ShapeBounds bounds, int id, out PairDistance nearest)
+    private bool TryFindNearest(ref NearestSearch search, out PairDistance nearest)
     {
-        Aabb box = bounds.BoxAt(search.Pose);
+        ref readonly ShapeBounds bounds = ref _objects.Bounds[search.Self];
+        Aabb box = bounds.BoxAt(_objects.Poses[search.Self]);
         float reach = (float)Math.Min(Math.Max(bounds.Radius, float.Epsilon), float.MaxValue);
         reach = Math.Min(reach, search.MaxDistance);
         LookWithin(ref search, box, reach);
@@ -59,7 +63,8 @@ public sealed partial class CollisionScene
 
         // What lies nearer than the one found may be outside the box in which it was found.
         if (search.Best >= 0 && search.Nearest.Distance > reach) LookWithin(ref search, box, search.Nearest.Distance);
-        nearest = search.Nearest.Of(new ObjectPair(id, search.Best < 0 ? -1 : _objects.Ids[search.Best]));
+        int best = search.Best < 0 ? -1 : _objects.Ids[search.Best];
+        nearest = search.Nearest.Of(new ObjectPair(_objects.Ids[search.Self], best));
         return search.Best >= 0;
     }
 
@@ -82,59 +87,39 @@ public sealed partial class CollisionScene
     }
 }
 
-/// <summary>The search for the object of a scene that is nearest to a shape.</summary>
-internal struct NearestSearch
+/// <summary>The search for what is nearest to an object of a scene, of those that it is tested against, or to a
+/// guest.</summary>
+/// <param name="objects">All of them.</param>
+/// <param name="self">The slot of the one that is asked about.</param>
+/// <param name="maxDistance">Objects further away are not found.</param>
+/// <param name="filter">Which objects a guest sees.</param>
+internal struct NearestSearch(SceneObjects objects, int self, float maxDistance, in QueryFilter filter)
 {
-    public readonly RigidPose Pose;
-
-    /// <summary>Objects further away are not found.</summary>
-    public readonly float MaxDistance;
+    public readonly int Self = self;
+    public readonly float MaxDistance = maxDistance;
 
     /// <summary>The slot of the nearest object so far, or -1.</summary>
-    public int Best;
+    public int Best = -1;
 
     /// <summary>The distance to it, and the parts that it is between.</summary>
-    public PairDistance Nearest;
+    public PairDistance Nearest = new(default);
 
-    private readonly SceneObjects _objects;
-    private readonly ConvexShape _shape;
-    private readonly QueryFilter _filter;
-
-    /// <summary>The slot of the object that is asked about, or -1.</summary>
-    private readonly int _self;
-
-    /// <summary>What is nearest to an object of the scene, of those that it is tested against.</summary>
-    public NearestSearch(SceneObjects objects, int slot)
-        : this(objects, objects.Shapes[slot], objects.Poses[slot], float.PositiveInfinity, default) => _self = slot;
-
-    /// <summary>What is nearest to a shape that is none of the scene's.</summary>
-    public NearestSearch(
-        SceneObjects objects, in ConvexShape shape, in RigidPose pose, float maxDistance, in QueryFilter filter)
-    {
-        _objects = objects;
-        _shape = shape;
-        _filter = filter;
-        _self = -1;
-        Pose = pose;
-        MaxDistance = maxDistance;
-        Best = -1;
-        Nearest = new PairDistance(default);
-    }
+    private readonly QueryFilter _filter = filter;
 
     /// <summary>Takes an object if it is nearer than the best, or as near with a lesser id.</summary>
     public void Look(int slot)
     {
         if (!IsAsked(slot)) return;
         float limit = Best < 0 ? MaxDistance : Math.Min(MaxDistance, CollisionScene.JustBeyond(Nearest.Distance));
-        PairDistance found = _self < 0
-            ? _objects.Parts.Distance(_shape, Pose, slot, limit)
-            : _objects.Parts.Distance(_self, slot, limit);
+        PairDistance found = objects.Parts.Distance(Self, slot, limit);
         if (found.Status == GjkStatus.BeyondMaxDistance) return;
         bool isBetter = Best < 0 || found.Distance < Nearest.Distance
             || (found.Distance == Nearest.Distance && slot < Best);
         if (isBetter) (Best, Nearest) = (slot, found);
     }
 
-    private readonly bool IsAsked(int slot) => !_objects.AreEndless(_shape, slot)
-        && (_self < 0 ? _objects.IsSeen(slot, _filter) : slot != _self && _objects.AreTested(_self, slot));
+    private readonly bool IsAsked(int slot) => !objects.AreEndless(objects.Shapes[Self], slot)
+        && (objects.Ids[Self] == SceneObjects.GuestId
+            ? objects.IsSeen(slot, _filter)
+            : slot != Self && objects.AreTested(Self, slot));
 }

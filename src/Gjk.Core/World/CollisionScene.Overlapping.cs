@@ -13,18 +13,18 @@ public sealed partial class CollisionScene
     public void FindObjectsOverlapping(
         in ConvexShape shape, in RigidPose pose, List<int> ids, in QueryFilter filter = default)
     {
-        CheckShape(shape);
-        CheckPose(pose);
-        Guard.NotNull(ids, nameof(ids)).Clear();
-        _phase.CollectInBox(new ShapeBounds(shape).BoxAt(pose), _near);
-        for (int i = 0; i < _near.Count; i++)
+        Guard.NotNull(ids, nameof(ids));
+        int guest = Invite(shape, pose, 0, filter);
+        ConcaveScratch? scratch = _objects.Parts.RentIfAny();
+        ids.Clear();
+        foreach (int slot in _near)
         {
-            int slot = _near[i];
-            if (!_objects.IsSeen(slot, filter)) continue;
             bool overlaps = _objects.Parts.Has(slot)
-                ? _objects.Parts.Distance(shape, pose, slot, 0).IsOverlapping
+                ? _objects.Parts.Distance(new ObjectPair(guest, slot), 0, scratch!).IsOverlapping
                 : ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]);
             if (overlaps) ids.Add(_objects.Ids[slot]);
         }
+
+        Dismiss(scratch);
     }
 }

@@ -92,7 +92,9 @@ public sealed partial class CollisionScene
     {
         Guard.NotNull(results, nameof(results));
         CheckDistance(distance, nameof(distance));
-        FindDistances(distance, workers);
+        CollectSlots(distance, _candidates, workers);
+        var job = new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance);
+        AnswerPairs(_pairWarmStarts, _candidates, job, workers);
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
             if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
@@ -149,13 +151,6 @@ public sealed partial class CollisionScene
         results.Clear();
         _selected.Collect(
             new OverlappingPairs(_objects, _candidates, _overlaps), _candidates.Count, results, workers);
-    }
-
-    private void FindDistances(float distance, Workers? workers)
-    {
-        CollectSlots(distance, _candidates, workers);
-        var job = new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance);
-        AnswerPairs(_pairWarmStarts, _candidates, job, workers);
     }
 
     /// <summary>Selects the pairs that overlap.</summary>

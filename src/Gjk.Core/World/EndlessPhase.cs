@@ -2,7 +2,7 @@ namespace Gjk.Core;
 
 /// <summary>A scene's broad phase: what has no end, as a half-space, is in a list, and everything is near it; a broad
 /// phase holds the rest.</summary>
-internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects) : IBroadPhase
+internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects)
 {
     private readonly List<int> _endless = [];
 
@@ -61,8 +61,6 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects) : 
         _endless.Clear();
         bounded.Clear();
     }
-
-    public void CollectPairs(float margin, List<ObjectPair> pairs) => CollectPairs(margin, pairs, null);
 
     /// <summary>Two half-spaces are no pair.</summary>
     public void CollectPairs(float margin, List<ObjectPair> pairs, Workers? workers)

@@ -54,9 +54,8 @@ internal readonly struct MovingShape(
     public bool ShowsFace(SceneObjects objects, in CastHit hit)
     {
         int slot = objects.SlotOf(hit.Id);
-        ConvexShape room = default;
         return slot >= 0 && MetFeatures.AnyIsFace(
-            _shape, _pose, objects.Parts.Part(slot, hit.PartB, ref room), objects.Poses[slot], hit.Result.Normal);
+            _shape, _pose, objects.Parts[slot].PartAt(hit.PartB), objects.Poses[slot], hit.Result.Normal);
     }
 
     /// <summary>Adds every part of an object that it meets.</summary>

@@ -6,22 +6,17 @@ internal readonly struct SceneDepthJob(
 {
     public void Run(int begin, int end)
     {
-        ConcaveScratch? scratch = objects.Parts.Any ? objects.Parts.Rent() : null;
+        ConcaveScratch? scratch = objects.Parts.RentIfAny();
         int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
         {
             ObjectPair pair = pairs[i];
             if (objects.TryKeep(answers, pair, i, ref last)) continue;
-            if (objects.Parts.Has(pair))
-            {
-                objects.Parts.FindDepths(pair, scratch!, answers.Parts(i));
-                continue;
-            }
-
-            answers[i] = objects.DepthOf(pair);
+            if (objects.Parts.Has(pair)) objects.Parts.FindDepths(pair, scratch!, answers.Parts(i));
+            else answers[i] = objects.DepthOf(pair);
         }
 
-        if (scratch is not null) objects.Parts.Return(scratch);
+        objects.Parts.Return(scratch);
     }
 }
 
@@ -33,7 +28,7 @@ internal readonly struct SceneContactJob(
 {
     public void Run(int begin, int end)
     {
-        ConcaveScratch? scratch = objects.Parts.Any ? objects.Parts.Rent() : null;
+        ConcaveScratch? scratch = objects.Parts.RentIfAny();
         int last = answers.Seek(begin);
         for (int i = begin; i < end; i++)
         {
@@ -45,7 +40,7 @@ internal readonly struct SceneContactJob(
             else answers[i] = objects.ContactsOf(pair, maxGap);
         }
 
-        if (scratch is not null) objects.Parts.Return(scratch);
+        objects.Parts.Return(scratch);
     }
 }
 

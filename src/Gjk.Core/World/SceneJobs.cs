@@ -27,41 +27,16 @@ internal readonly struct SceneNearJob(
         }
 
         if (!anyAsked) return;
-        if (maxGap > 0) AskDistances(begin, end, answered);
-        else AskOverlaps(begin, end, answered);
+        Ask(begin, end, answered);
         if (asksParts && objects.Parts.Any) AskParts(begin, end);
     }
 
-    private unsafe void AskDistances(int begin, int end, bool* answered)
+    private unsafe void Ask(int begin, int end, bool* answered)
     {
 #if NET
         if (WideBatch.IsSupported)
         {
-            Span<DistanceResult> results = stackalloc DistanceResult[end - begin];
-            var question = new WideDistances(ref results[0], ref Unsafe.NullRef<WarmStart>(), maxGap);
-            Batch(begin, answered).Ask(end - begin, ref question);
-            for (int i = begin; i < end; i++)
-                if (!answered[i - begin]) answers[i] = results[i - begin].Status;
-            return;
-        }
-#endif
-        for (int i = begin; i < end; i++)
-        {
-            if (answered[i - begin]) continue;
-            ObjectPair pair = pairs[i];
-            answers[i] = ConvexQuery.Distance(
-                objects.Shapes[pair.A], objects.Poses[pair.A], objects.Shapes[pair.B], objects.Poses[pair.B],
-                maxGap).Status;
-        }
-    }
-
-    private unsafe void AskOverlaps(int begin, int end, bool* answered)
-    {
-#if NET
-        if (WideBatch.IsSupported)
-        {
-            var question = new WideOverlaps(ref answers[begin]);
-            Batch(begin, answered).Ask(end - begin, ref question);
+            AskWide(begin, end, answered);
             return;
         }
 #endif
@@ -70,20 +45,36 @@ internal readonly struct SceneNearJob(
         for (int i = begin; i < end; i++)
         {
             if (answered[i - begin]) continue;
-            ObjectPair pair = pairs[i];
+            (int a, int b) = (pairs[i].A, pairs[i].B);
             if (i + Prefetch.PairsAhead < end)
             {
                 int next = pairs[i + Prefetch.PairsAhead].B;
                 Prefetch.Objects(ref shapes[next], ref poses[next]);
             }
 
-            ConvexQuery.Overlaps(shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], out answers[i]);
+            if (maxGap > 0) answers[i] = ConvexQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxGap).Status;
+            else ConvexQuery.Overlaps(shapes[a], poses[a], shapes[b], poses[b], out answers[i]);
         }
     }
 
 #if NET
-    private unsafe WideBatch Batch(int begin, bool* answered) =>
-        new(objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin], ref *answered);
+    private unsafe void AskWide(int begin, int end, bool* answered)
+    {
+        var batch = new WideBatch(
+            objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin], ref *answered);
+        if (maxGap > 0)
+        {
+            Span<DistanceResult> results = stackalloc DistanceResult[end - begin];
+            var distances = new WideDistances(ref results[0], ref Unsafe.NullRef<WarmStart>(), maxGap);
+            batch.Run(end - begin, ref distances);
+            for (int i = begin; i < end; i++)
+                if (!answered[i - begin]) answers[i] = results[i - begin].Status;
+            return;
+        }
+
+        var overlaps = new WideOverlaps(ref answers[begin]);
+        batch.Run(end - begin, ref overlaps);
+    }
 
 #endif
     private void AskParts(int begin, int end)
@@ -156,7 +147,7 @@ internal readonly struct SceneDistanceJob(
                 ref warmStarts.Results[begin], ref warmStarts.Starts[begin], maxDistance);
             ref ObjectPair first = ref CollectionsMarshal.AsSpan(pairs)[begin];
             new WideBatch(objects.Shapes, objects.Poses, ref first, ref warmStarts.Kept[begin])
-                .Ask(end - begin, ref question);
+                .Run(end - begin, ref question);
             return;
         }
 #endif

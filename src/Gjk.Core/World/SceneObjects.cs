@@ -99,11 +99,12 @@ internal sealed class SceneObjects
     /// <summary>Puts a shape that is none of the scene's beside the objects while a question is asked about it: a
     /// moving body whose id is <see cref="GuestId"/>, which no finder meets.</summary>
     /// <returns>Its slot, the first that is free.</returns>
-    public int Invite(in ConvexShape shape, in RigidPose pose)
+    public int Invite(in ConvexShape shape, in RigidPose pose, in ShapeBounds bounds)
     {
         if (End == Ids.Length) Grow();
         Shapes[End] = shape;
         Poses[End] = pose;
+        Bounds[End] = bounds;
         Settings[End] = default;
         Ids[End] = GuestId;
         return End;
@@ -180,9 +181,6 @@ internal sealed class SceneObjects
         Parts.Remove(slot);
         Count--;
     }
-
-    /// <summary>The slot of an id of an answer: an object, or the guest that was asked about.</summary>
-    public int SlotOfAnswer(int id) => id == GuestId ? End : SlotOf(id);
 
     /// <summary>The slot of an id, or -1 where there is no such object.</summary>
     public int SlotOf(int id)

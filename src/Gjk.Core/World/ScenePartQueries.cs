@@ -25,16 +25,6 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>The shape in a slot, convex or not.</summary>
     public AnyShape this[int slot] => Has(slot) ? _shapes[slot] : AnyShape.Of(objects.Shapes[slot]);
 
-    /// <summary>A part of the object in a slot, or all of it; it may be written to the room that is given.</summary>
-    public ref readonly ConvexShape Part(int slot, int part, ref ConvexShape room)
-    {
-        if (!Has(slot)) return ref objects.Shapes[slot];
-        AnyShape shape = _shapes[slot];
-        if (shape.Compound is not null) return ref shape.Compound.Parts[part];
-        room = shape.Mesh!.GetShape(part);
-        return ref room;
-    }
-
     public void Set(int slot, in AnyShape shape)
     {
         Any = true;
@@ -61,27 +51,30 @@ internal sealed class ScenePartQueries(SceneObjects objects)
 
     public ConcaveScratch Rent() => _scratches.Rent();
 
-    public void Return(ConcaveScratch scratch) => _scratches.Return(scratch);
+    /// <summary>None while all objects are convex.</summary>
+    public ConcaveScratch? RentIfAny() => Any ? Rent() : null;
+
+    public void Return(ConcaveScratch? scratch)
+    {
+        if (scratch is not null) _scratches.Return(scratch);
+    }
 
     public PairDistance Distance(ObjectPair pair, float maxDistance, ConcaveScratch scratch) =>
         ConcaveQuery.Distance(
             this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, maxDistance);
 
-    /// <summary>The distance from an object to another one.</summary>
-    public PairDistance Distance(int slotA, int slot, float maxDistance) => Has(slotA)
-        ? Distance(_shapes[slotA], objects.Poses[slotA], slot, maxDistance)
-        : Distance(objects.Shapes[slotA], objects.Poses[slotA], slot, maxDistance);
-
-    /// <summary>The distance from a shape that is none of the scene's to an object.</summary>
-    public PairDistance Distance(in ConvexShape shape, in RigidPose pose, int slot, float maxDistance) => Has(slot)
-        ? Distance(AnyShape.Of(shape), pose, slot, maxDistance)
-        : new PairDistance(
-            ConvexQuery.Distance(shape, pose, objects.Shapes[slot], objects.Poses[slot], maxDistance));
-
-    private PairDistance Distance(in AnyShape shape, in RigidPose pose, int slot, float maxDistance)
+    /// <summary>The distance between two objects, convex or not.</summary>
+    public PairDistance Distance(int a, int b, float maxDistance)
     {
+        if (!Has(a) && !Has(b))
+        {
+            return new PairDistance(
+                ConvexQuery.Distance(
+                    objects.Shapes[a], objects.Poses[a], objects.Shapes[b], objects.Poses[b], maxDistance));
+        }
+
         ConcaveScratch scratch = Rent();
-        PairDistance found = ConcaveQuery.Distance(shape, pose, this[slot], objects.Poses[slot], scratch, maxDistance);
+        PairDistance found = Distance(new ObjectPair(a, b), maxDistance, scratch);
         Return(scratch);
         return found;
     }

@@ -60,8 +60,8 @@ internal sealed class SceneUnions(SceneObjects objects)
         (int begin, int end) = _bodies[index];
         if (TryKeep(begin, end, pairs, answers)) return;
         var body = (int)(_keys[begin] >> 32);
-        List<PairContacts> contacts = scratch.Joined;
-        JoinedGrounds.Begin(scratch, objects.Parts[body], objects.Poses[body]);
+        scratch.B.TrySet(objects.Parts[body], objects.Poses[body]);
+        scratch.Pairs.Clear();
         for (int k = begin; k < end; k++)
         {
             var i = (int)(uint)_keys[k];
@@ -72,16 +72,17 @@ internal sealed class SceneUnions(SceneObjects objects)
             JoinedGrounds.Add(scratch, objects.Parts[slot], objects.Poses[slot], box, i, maxGap);
         }
 
-        JoinedGrounds.FindContacts(scratch, maxGap, contacts);
         if (scratch.GroundCount == 1)
         {
+            // One alone is not joined.
             int i = scratch.Grounds[0].Name;
             scratch.GroundCount = 0;
             objects.Parts.FindContacts(pairs[i], maxGap, scratch, answers.Parts(i));
-            return;
         }
 
-        foreach (PairContacts one in contacts)
+        if (scratch.GroundCount == 0) return;
+        JoinedGrounds.FindContacts(scratch, maxGap, scratch.Joined);
+        foreach (PairContacts one in scratch.Joined)
         {
             int i = scratch.Grounds[one.Pair.A].Name;
             PairContacts placed = pairs[i].A == body ? one.Swapped : one;

@@ -70,22 +70,22 @@ public readonly struct ShapeBounds
             box.Add(new PartBox(min, max));
         }
 
-        _center = (box.Min + box.Max) * 0.5;
-        _half = (box.Max - box.Min) * 0.5;
-        _margin = 0;
-        _radius = _half.Length;
-        _offset = _center.Length;
+        this = new ShapeBounds((box.Min + box.Max) * 0.5, (box.Max - box.Min) * 0.5);
     }
 
     /// <summary>Measures the box of a tree, which may be a little larger than its parts, without a look at
     /// them.</summary>
     internal ShapeBounds(PartTree tree)
+        : this(
+            tree.Origin + tree.Read(0) * tree.Unit,
+            tree.ReachOf(0, new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1)) * tree.Unit)
     {
-        _center = tree.Origin + tree.Read(0) * tree.Unit;
-        _half = tree.ReachOf(0, new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1)) * tree.Unit;
-        _margin = 0;
-        _radius = _half.Length;
-        _offset = _center.Length;
+    }
+
+    private ShapeBounds(in Double3 center, in Double3 half)
+    {
+        (_center, _half, _margin) = (center, half, 0);
+        (_radius, _offset) = (half.Length, center.Length);
     }
 
     /// <summary>The radius of a ball about the centre of <see cref="BoxAt"/> that holds the shape.</summary>

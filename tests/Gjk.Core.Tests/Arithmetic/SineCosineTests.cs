@@ -13,7 +13,7 @@ public class SineCosineTests
         for (int i = 0; i < 100_000; i++)
         {
             double angle = rng.Range(-1, 1) * (i % 3 == 0 ? SineCosine.MaxAngle : i % 3 == 1 ? 100 : 1);
-            SineCosine.Of(angle, out double sine, out double cosine);
+            SineCosine.Compute(angle, out double sine, out double cosine);
             Assert.True(Math.Abs(sine - Math.Sin(angle)) <= 4e-16, $"{angle:R}: {sine:R}");
             Assert.True(Math.Abs(cosine - Math.Cos(angle)) <= 4e-16, $"{angle:R}: {cosine:R}");
         }
@@ -28,7 +28,7 @@ public class SineCosineTests
     [InlineData(-1, -1, 0)]
     public void QuarterTurns(int quarters, int sine, int cosine)
     {
-        SineCosine.Of(quarters * (Math.PI / 2), out double s, out double c);
+        SineCosine.Compute(quarters * (Math.PI / 2), out double s, out double c);
         Assert.Equal(sine, s, 1e-15);
         Assert.Equal(cosine, c, 1e-15);
     }

@@ -35,7 +35,7 @@ public class WorstCaseTests
             double visits = (phase.Leaves.Tree.Visits - before) / (NLogN(boxes.Count) + pairs.Count);
             Assert.True(visits <= MostVisits, $"{message}: {visits:0.0} visits");
             int kept = phase.Pairs.Count, depth = TreeDepth.Of(phase.Leaves.Tree);
-            Assert.True(kept <= PairBudget.Of(boxes.Count, pairs.Count), $"{message}: {kept} kept");
+            Assert.True(kept <= PairBudget.LimitFor(boxes.Count, pairs.Count), $"{message}: {kept} kept");
             Assert.True(depth <= AabbTree.MaxDepth, $"{message}: depth {depth}");
             boxes.Step(frame);
             boxes.MoveIn(phase);

@@ -66,7 +66,7 @@ public class LowerBoundErrorTests
             double gap = Double3.Dot(normal, vertex) * (1 / Math.Sqrt(normal.LengthSquared));
 
             // The same in 106 bits; A's frame is reached by the opposite rotation, of each half.
-            VectorDD placed = VectorDD.Place(poseB, (Double3)CornerB);
+            VectorDD placed = VectorDD.ToWorld(poseB, (Double3)CornerB);
             var high = (Double3)placed;
             var low = (Double3)(placed - high);
             var back = new Quaternion(-TurnA.X, -TurnA.Y, -TurnA.Z, TurnA.W);

@@ -30,7 +30,8 @@ public class MinkowskiDifferenceTests
                 Assert.Equal(w, simplex.W(2));
                 Assert.True(shapeA.TryGetVertex(idA, out Double3 vertexA) && vertexA == simplex.OnA(2));
                 Assert.True(shapeB.TryGetVertex(idB, out Double3 vertexB) && vertexB == simplex.OnB(2));
-                Assert.True(MinkowskiDifference.TryPlace(ref shapeA, ref shapeB, frame, idA, idB, ref simplex.At(1)));
+                ref DifferenceVertex made = ref simplex.At(1);
+                Assert.True(MinkowskiDifference.TryMakeVertex(ref shapeA, ref shapeB, frame, idA, idB, ref made));
                 Assert.Equal(w, simplex.W(1));
                 Assert.Equal(Lowest(problem, a, b, normal), Double3.Dot(normal, w), 10 * Rounding);
             }

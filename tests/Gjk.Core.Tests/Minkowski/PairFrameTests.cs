@@ -167,13 +167,13 @@ public class PairFrameTests
     public void TheSizeIsThatOfThePointsSeen(double reachA, double reachB, double size)
     {
         var frame = new PairFrame { RadiusA = 8, RadiusB = 9, MarginA = 0.5, MarginB = 0.25 };
-        PairSize.Begin<ScriptedShape, ScriptedShape>(frame, out PairSize seen);
+        PairSize.Make<ScriptedShape, ScriptedShape>(frame, out PairSize seen);
         Assert.Equal(0.75, seen.Value);
-        seen.See(frame, new Double3(reachA, 0, 0), new Double3(0, reachB, 0));
+        seen.Observe(frame, new Double3(reachA, 0, 0), new Double3(0, reachB, 0));
         Assert.Equal(size, seen.Value);
-        seen.See(frame, default, default);
+        seen.Observe(frame, default, default);
         Assert.Equal(size, seen.Value);
-        PairSize.Begin<BoxShape, PointShape>(frame, out PairSize told);
+        PairSize.Make<BoxShape, PointShape>(frame, out PairSize told);
         Assert.Equal(17, told.Value);
     }
 

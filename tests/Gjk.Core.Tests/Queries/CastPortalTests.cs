@@ -131,7 +131,7 @@ public class CastPortalTests
         PairFrame.Compose(ref mesh, RigidPose.Identity, ref point, new RigidPose(from), out PairFrame frame);
         Assert.Equal(MotionVerdict.Hit, CastLine.Make(frame, motion, out CastLine line));
         frame.Translation = line.Nearest;
-        SolverState.Begin<ConvexMesh, PointShape>(frame, out SolverState state);
+        SolverState.Make<ConvexMesh, PointShape>(frame, out SolverState state);
         CastFinding cast = default;
         MotionVerdict verdict = CastPortal.Solve(ref mesh, ref point, frame, line, 1, ref cast, ref state);
         Assert.Equal(isPortal ? MotionVerdict.Hit : MotionVerdict.Undecided, verdict);

@@ -57,7 +57,7 @@ public class ImpactToleranceTests
         var cube = new BoxShape(Vector3.One);
         RigidMotion falling = Falling(12, 20);
         PairFrame.Compose(ref cube, RigidPose.Identity, ref cube, falling.Pose, out PairFrame frame);
-        PairMotion.Begin(Still, falling, frame, out PairMotion motion);
+        PairMotion.Make(Still, falling, frame, out PairMotion motion);
         double fraction = 0.5, tolerance = motion.Speed * fraction / (1 << 23) / ratio;
         WarmStart warm = default;
         AdvancementSolver<BoxShape, BoxShape>.Solve(

@@ -1,65 +1,154 @@
 using System.Diagnostics;
+using System.Reflection;
 using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 
-/// <summary>The road of a query, from the verb down to the loop, is short and has no way back. A support of the test
-/// walks the stack that it is asked on.</summary>
+/// <summary>The roads of the queries, from the verb down to the loop, are short and have no way back, and are drawn for
+/// contributors. A shape or a trace of the test walks the stack that it is asked on.</summary>
 public class RoadTests
 {
-    /// <summary>Frames from the verb to what asks a core for its support, both included, without any inlining: seven to
-    /// the loop, two from there.</summary>
-    private const int MostFrames = 9;
-
-    /// <summary>The types on the road, each in the file of its name, top to bottom.</summary>
-    private static readonly string[] Road =
+    /// <summary>The types on each road, top to bottom, each in the file of its name.</summary>
+    private static readonly string[] Pair =
     [
         "ConvexQuery", "PairQuery", "DistanceSolver", "ProvedDistance", "GjkDistance", "MinkowskiDifference",
         "XyzSupport",
     ];
 
+    private static readonly string[] Parts = ["ConcaveQuery", "PartPairSearch", "PartQuery"];
+
+    private static readonly string[] Scene = ["CollisionScene", "Workers", "SceneDistanceJob"];
+
+    private static readonly RigidPose Away = new(new Vector3(4, 0.4f, 0.2f));
+
+    private static readonly Vector3[] Corners = [default, Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ];
+
+    /// <summary>Frames from the verb to what asks a core for its support, both included, without any inlining: seven to
+    /// the loop, two from there.</summary>
     [Fact]
     public void ADistanceGoesDownTheRoadAndNeverBack()
     {
-        var stacks = new List<string[]>();
+        var stacks = new List<MethodBase[]>();
         var probe = new Probe(stacks);
-        DistanceResult result = ConvexQuery.Distance(
-            probe, RigidPose.Identity, probe, new RigidPose(new Vector3(3, 0.4f, 0.2f)));
+        DistanceResult result = ConvexQuery.Distance(probe, RigidPose.Identity, probe, Away);
         Assert.Equal(GjkStatus.Separated, result.Status);
-        Assert.True(stacks.Count >= 4, $"only {stacks.Count} supports");
-        foreach (string[] types in stacks)
+        Hold(stacks, 9, Pair);
+    }
+
+    /// <summary>What is unwrapped to cores has two frames more, of which compilers that optimize leave none.</summary>
+    [Fact]
+    public unsafe void ADistanceOfHullsGoesBySolveCores()
+    {
+        var stacks = new List<MethodBase[]>();
+        ConvexShape hull = ConvexShape.Mesh(Corners);
+        var solver = new DistanceSolver<Walker>(float.PositiveInfinity) { Trace = new Walker(stacks) };
+        PairQuery.Run(hull, RigidPose.Identity, hull, Away, ref solver, out DistanceResult result);
+        Assert.Equal(GjkStatus.Separated, result.Status);
+        Hold(stacks, 9, Pair);
+        Assert.All(stacks, stack => Assert.Contains(stack, method => method.Name == "SolveCores"));
+    }
+
+    [Fact]
+    public void ADistanceOfCompoundsGoesDownToThatOfParts()
+    {
+        var stacks = new List<MethodBase[]>();
+        PairDistance found = ConcaveQuery.Distance(
+            Compound(stacks), RigidPose.Identity, Compound(stacks), Away, new ConcaveScratch());
+        Assert.Equal(GjkStatus.Separated, found.Result.Status);
+        Hold(stacks, 19, [.. Parts, .. Pair, "ConvexShape"]);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void AScenesPairsGoDownToThatOfShapesOrOfParts(bool isCompound)
+    {
+        var stacks = new List<MethodBase[]>();
+        AnyShape shape = isCompound ? Compound(stacks) : AnyShape.Of(ConvexShape.Custom(new Probe(stacks)));
+        var scene = new CollisionScene();
+        scene.Add(shape, RigidPose.Identity);
+        scene.Add(shape, Away);
+        var pairs = new List<PairDistance>();
+        stacks.Clear();
+        scene.FindPairsWithin(9, pairs);
+        Assert.Single(pairs);
+        string[] below = isCompound ? ["ScenePartQueries", .. Parts] : ["WideBatch", "WideDistances"];
+        Hold(stacks, 27, [.. Scene, .. below, .. Pair, "ConvexShape"]);
+    }
+
+    [Fact]
+    public void TheGuideForContributorsDrawsTheRoadsInOrder()
+    {
+        string guide = File.ReadAllText(Path.Combine(ProjectFolder.Root, "CONTRIBUTING.md"));
+        foreach ((string verb, string[] road) in new[]
         {
+            ("Queries/ConvexQuery.Distance.cs", Pair), ("Concave/ConcaveQuery.cs", Parts),
+            ("World/CollisionScene.Queries.cs", Scene),
+        })
+        {
+            int begin = guide.IndexOf("\n" + verb, StringComparison.Ordinal);
+            Assert.True(begin >= 0, $"there is no road from {verb}");
+            int end = guide.IndexOf("```", begin, StringComparison.Ordinal);
+            string[] drawn = [.. guide[begin..end].Split('\n').Select(line => line.Trim().Split(' ')[0])
+                .Where(file => file.EndsWith(".cs", StringComparison.Ordinal))];
+            Assert.All(drawn, file => Assert.True(
+                File.Exists(Path.Combine(ProjectFolder.Root, "src", "Gjk.Core", file)), file));
+            string[] types = [.. drawn.Select(file => Path.GetFileName(file).Split('.')[0])];
+            Assert.Equal(road.Where(type => type != "SceneDistanceJob"), types.Where(road.Contains));
+        }
+    }
+
+    private static AnyShape Compound(List<MethodBase[]> stacks)
+    {
+        var probe = ConvexShape.Custom(new Probe(stacks));
+        AnyShape compound = AnyShape.Of(new CompoundShape(
+            [new CompoundPart(probe, RigidPose.Identity), new CompoundPart(probe, new RigidPose(-Vector3.UnitX))]));
+        stacks.Clear();
+        return compound;
+    }
+
+    private static void Hold(List<MethodBase[]> stacks, int mostFrames, string[] road)
+    {
+        Assert.True(stacks.Count >= 2, $"only {stacks.Count} supports");
+        foreach (MethodBase[] stack in stacks)
+        {
+            string[] types = [.. stack.Select(NameOf)];
             string message = string.Join(" < ", types);
-            Assert.True(types.Length is > 2 and <= MostFrames, message);
+            Assert.True(types.Length is > 2 && types.Length <= mostFrames, message);
             Assert.Contains("GjkDistance", types);
             int place = 0;
             foreach (string type in types.Reverse())
             {
-                int next = Array.IndexOf(Road, type);
+                int next = Array.IndexOf(road, type);
                 Assert.True(next >= place, message);
                 place = next;
             }
         }
     }
 
-    [Fact]
-    public void TheGuideForContributorsDrawsTheRoadInOrder()
+    private static void Note(List<MethodBase[]> stacks) => stacks.Add(
+    [
+        .. new StackTrace(2).GetFrames().Select(f => f.GetMethod()).OfType<MethodBase>()
+            .SkipWhile(m => m.DeclaringType!.DeclaringType == typeof(RoadTests))
+            .TakeWhile(m => m.DeclaringType != typeof(RoadTests)),
+    ]);
+
+    private static string NameOf(MethodBase method) => method.DeclaringType!.Name.Split('`')[0];
+
+    /// <summary>A trace that notes the methods below its caller, down to the verb.</summary>
+    private readonly struct Walker(List<MethodBase[]> stacks) : IGjkTrace
     {
-        string guide = File.ReadAllText(Path.Combine(ProjectFolder.Root, "CONTRIBUTING.md"));
-        int begin = guide.IndexOf("Queries/ConvexQuery.Distance.cs", StringComparison.Ordinal);
-        Assert.True(begin >= 0, "there is no road");
-        foreach (string type in Road)
+        public bool IsOn => true;
+
+        public void OnSupport(in TracedSupport support) => Note(stacks);
+
+        public void OnReduced(in TracedSimplex simplex)
         {
-            string file = type == "ConvexQuery" ? "ConvexQuery.Distance.cs" : type + ".cs";
-            int next = guide.IndexOf("/" + file, begin, StringComparison.Ordinal);
-            Assert.True(next >= begin, file);
-            Assert.Single(ProjectFolder.Sources("src/Gjk.Core"), f => Path.GetFileName(f) == file);
-            begin = next;
         }
     }
 
-    /// <summary>A cube that notes the types below its caller, down to the verb.</summary>
-    private readonly struct Probe(List<string[]> stacks) : ISupportMap
+    /// <summary>A cube that does the same.</summary>
+    private readonly struct Probe(List<MethodBase[]> stacks) : ISupportMap
     {
         public Double3 Center => default;
 
@@ -69,13 +158,7 @@ public class RoadTests
 
         public int Support(in Double3 direction, out Double3 point)
         {
-            string[] all =
-            [
-                .. new StackTrace(1).GetFrames().Select(f => f.GetMethod()?.DeclaringType)
-                    .Select(t => t?.Name.Split('`')[0] ?? "").SkipWhile(t => t == nameof(Probe))
-                    .TakeWhile(t => t != nameof(RoadTests)),
-            ];
-            stacks.Add(all);
+            Note(stacks);
             point = new Double3(direction.X < 0 ? -1 : 1, direction.Y < 0 ? -1 : 1, direction.Z < 0 ? -1 : 1);
             return (direction.X < 0 ? 1 : 0) + (direction.Y < 0 ? 2 : 0) + (direction.Z < 0 ? 4 : 0);
         }

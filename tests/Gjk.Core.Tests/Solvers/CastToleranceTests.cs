@@ -45,7 +45,7 @@ public class CastToleranceTests
     {
         CastLine line = Line();
         PairFrame frame = Frame();
-        CastJump.Begin(line, 1, out CastJump place);
+        CastJump.Make(line, 1, out CastJump place);
         CastFinding cast = default;
         Assert.False(place.TryEnd(Apart(1, 0.5), frame, line, 0, ref cast));
         Assert.True(place.TryEnd(Apart(-1, errors * line.Error), frame, line, 0, ref cast));

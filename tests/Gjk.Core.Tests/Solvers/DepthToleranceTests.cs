@@ -66,7 +66,7 @@ public class DepthToleranceTests
         var block = new Block(0, false, 0.5 * ratio * Math.Sqrt(2));
         var point = new PointShape();
         PairFrame.Compose(ref block, RigidPose.Identity, ref point, RigidPose.Identity, out PairFrame frame);
-        SolverState.Begin<Block, PointShape>(frame, out SolverState state);
+        SolverState.Make<Block, PointShape>(frame, out SolverState state);
         NoPolytopeTrace trace = default;
         Verdict verdict = GjkDepth<Block, PointShape, NoPolytopeTrace>.Solve(
             ref block, ref point, frame, ref state, ref trace);

@@ -202,7 +202,7 @@ public class ToleranceTests
         double most = double.PositiveInfinity)
     {
         PairFrame frame = Pair(vertices, translation, isCurved, out ScriptedShape a, out PointShape b);
-        SolverState.Begin<ScriptedShape, PointShape>(frame, out SolverState state);
+        SolverState.Make<ScriptedShape, PointShape>(frame, out SolverState state);
         state.Feature.Normal = frame.FirstNormal;
         NoTrace trace = default;
         if (isExtended)

@@ -88,10 +88,8 @@ internal sealed class TestShape
             ? Extent(vertices!, Margin * factors.X)
             : new Double3(1, 1, 1) * (LongestSide * largest);
         double margin = polytope ? Margin * factors.X : Margin * (even ? factors.X : 0);
-        bool keepsFactors = Shape.Kind is ShapeKind.Mesh or ShapeKind.Cylinder or ShapeKind.Cone
-            or ShapeKind.TaperedCapsule || (Shape.Kind == ShapeKind.Capsule && !even);
         ConvexShape scaled = Shape.Scaled(s);
-        double reach = keepsFactors ? Reach * largest : scaled.BoundingRadius;
+        double reach = scaled.Scale != Vector3.One ? Reach * largest : scaled.BoundingRadius;
         return new(text, scaled, vertices, margin, extent) { Reach = reach };
     }
 

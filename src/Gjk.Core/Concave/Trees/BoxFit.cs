@@ -61,8 +61,7 @@ internal sealed class BoxFit
     {
         Origin = (all.Min + all.Max) * 0.5;
         Double3 half = (all.Max - all.Min) * 0.5;
-        double most = half.SumOfMagnitudes;
-        Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
+        Unit = PartTree.UnitOf(half.SumOfMagnitudes);
         _inverse = 1 / Unit;
 
         // In tree units, where no square leaves the range of double.

@@ -25,6 +25,9 @@ internal sealed class PartTree
     /// only.</summary>
     private const double Skew = 1.0 / (1 << 20);
 
+    /// <summary>Ratio: 2^-22, more than rounding the half side of a single part to float takes.</summary>
+    private const double Outward = 1 + 1.0 / (1 << 22);
+
     public readonly float[] Boxes;
 
     /// <summary>Per lane: a node (at least 0), a leaf (see <see cref="Leaf"/>), or <see cref="Empty"/>.</summary>
@@ -44,7 +47,7 @@ internal sealed class PartTree
 
     public PartTree(float[] boxes, int[] children, int[] order) => (Boxes, Children, Order) = (boxes, children, order);
 
-    /// <summary>The tree of one part, to be written by <see cref="SinglePart"/>.</summary>
+    /// <summary>The tree of one part, which a convex shape is to the searches; its box is set later.</summary>
     public static PartTree Single()
     {
         var tree = new PartTree(new float[Stride], new int[Lanes], new int[1]);
@@ -56,6 +59,23 @@ internal sealed class PartTree
 
         return tree;
     }
+
+    /// <summary>Writes the box of a single part.</summary>
+    public void SetSingle(in Double3 min, in Double3 max)
+    {
+        Origin = (min + max) * 0.5;
+        Double3 half = (max - min) * (0.5 * Outward);
+        Unit = UnitOf(half.SumOfMagnitudes);
+        half *= 1 / Unit;
+        Radius = half.Length * Unit * Outward;
+        Boxes[Halves] = (float)half.X;
+        Boxes[Halves + Lanes] = (float)half.Y;
+        Boxes[Halves + 2 * Lanes] = (float)half.Z;
+    }
+
+    /// <summary>The power of two that lengths are given in which sum up to so much.</summary>
+    public static double UnitOf(double most) =>
+        most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
 
     /// <summary>Where the floats of a box begin.</summary>
     /// <param name="box">A node times <see cref="Lanes"/>, and its lane.</param>

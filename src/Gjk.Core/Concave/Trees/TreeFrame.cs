@@ -1,7 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii
-/// and the distance of the trees' origins, so that all lengths in it are a few units at most.</summary>
+/// <summary>Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii,
+/// the reach (the margins around both trees) and the distance of the trees' origins, so that all lengths in it are a
+/// few units at most.</summary>
 internal struct TreeFrame
 {
     /// <summary>Ratio to the radii and the distance of the origins: 2^-18, 64 units of u = 2^-24. What float's rounding
@@ -55,8 +56,8 @@ internal struct TreeFrame
         Double3 originB = frame.Rotation.Rotate(b.Origin);
         Double3 translation = frame.RotationA.InverseRotate(between) + (originB - a.Origin);
         double far = between.SumOfMagnitudes + a.Origin.SumOfMagnitudes + b.Origin.SumOfMagnitudes;
-        double most = Math.Max(Math.Max(a.Radius, b.Radius), Math.Max(translation.SumOfMagnitudes, reach));
-        frame.Unit = most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
+        frame.Unit = PartTree.UnitOf(
+            Math.Max(Math.Max(a.Radius, b.Radius), Math.Max(translation.SumOfMagnitudes, reach)));
         double inverse = 1 / frame.Unit;
         frame.Translation = translation * inverse;
         frame.FactorA = (float)(a.Unit * inverse);

@@ -74,8 +74,8 @@ internal sealed class CloudDigest
         uint[] w = _words, state = _state;
         for (int i = BlockWords; i < Rounds; i++)
         {
-            uint s0 = Turn(w[i - 15], 7) ^ Turn(w[i - 15], 18) ^ w[i - 15] >> 3;
-            uint s1 = Turn(w[i - 2], 17) ^ Turn(w[i - 2], 19) ^ w[i - 2] >> 10;
+            uint s0 = RotateRight(w[i - 15], 7) ^ RotateRight(w[i - 15], 18) ^ w[i - 15] >> 3;
+            uint s1 = RotateRight(w[i - 2], 17) ^ RotateRight(w[i - 2], 19) ^ w[i - 2] >> 10;
             w[i] = unchecked(w[i - 16] + s0 + w[i - 7] + s1);
         }
 
@@ -83,8 +83,9 @@ internal sealed class CloudDigest
         uint e = state[4], f = state[5], g = state[6], h = state[7];
         for (int i = 0; i < Rounds; i++)
         {
-            uint s1 = Turn(e, 6) ^ Turn(e, 11) ^ Turn(e, 25), choice = (e & f) ^ (~e & g);
-            uint s0 = Turn(a, 2) ^ Turn(a, 13) ^ Turn(a, 22), majority = (a & b) ^ (a & c) ^ (b & c);
+            uint s1 = RotateRight(e, 6) ^ RotateRight(e, 11) ^ RotateRight(e, 25), choice = (e & f) ^ (~e & g);
+            uint s0 = RotateRight(a, 2) ^ RotateRight(a, 13) ^ RotateRight(a, 22);
+            uint majority = (a & b) ^ (a & c) ^ (b & c);
             uint first = unchecked(h + s1 + choice + RoundConstants[i] + w[i]), second = unchecked(s0 + majority);
             (h, g, f, e, d, c, b) = (g, f, e, unchecked(d + first), c, b, a);
             a = unchecked(first + second);
@@ -103,5 +104,5 @@ internal sealed class CloudDigest
         }
     }
 
-    private static uint Turn(uint word, int bits) => word >> bits | word << (32 - bits);
+    private static uint RotateRight(uint word, int bits) => word >> bits | word << (32 - bits);
 }

@@ -53,7 +53,7 @@ internal sealed class ConvexHullBuilder(Vector3[] points, int mostWork)
     private HullMesh Polygon(int a, int b, int c)
     {
         int axis = 0;
-        while (_predicates.Turn(a, b, c, (axis + 1) % 3, (axis + 2) % 3) == 0) axis++;
+        while (_predicates.Orientation(a, b, c, (axis + 1) % 3, (axis + 2) % 3) == 0) axis++;
         return PlanarHull.Build(_predicates, (axis + 1) % 3, (axis + 2) % 3);
     }
 

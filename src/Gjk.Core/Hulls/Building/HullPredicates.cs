@@ -20,7 +20,7 @@ internal sealed class HullPredicates
     private const double CoarseLatticeSteps = 1 << 16;
 
     private readonly Vector3[] _points;
-    private readonly PlanarTurn _turn = new();
+    private readonly PlanarOrientation _orientation = new();
     private readonly bool _exactInDouble;
     private readonly double _extentX, _extentY, _extentZ;
 
@@ -81,13 +81,13 @@ internal sealed class HullPredicates
 
     /// <summary>1 when c lies to the left of the line from a to b in the plane of two axes, 0 on it, -1 to the
     /// right.</summary>
-    public int Turn(int a, int b, int c, int axisU, int axisV) => _turn.Sign(
+    public int Orientation(int a, int b, int c, int axisU, int axisV) => _orientation.Sign(
         Coordinate(a, axisU), Coordinate(a, axisV), Coordinate(b, axisU), Coordinate(b, axisV),
         Coordinate(c, axisU), Coordinate(c, axisV));
 
     /// <summary>True when the three points lie on one line: they do in every projection.</summary>
     public bool AreCollinear(int a, int b, int c) =>
-        Turn(a, b, c, 0, 1) == 0 && Turn(a, b, c, 1, 2) == 0 && Turn(a, b, c, 2, 0) == 0;
+        Orientation(a, b, c, 0, 1) == 0 && Orientation(a, b, c, 1, 2) == 0 && Orientation(a, b, c, 2, 0) == 0;
 
     public float Coordinate(int point, int axis) => axis switch
     {

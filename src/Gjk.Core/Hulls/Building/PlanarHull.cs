@@ -40,7 +40,7 @@ internal static class PlanarHull
         {
             while (loop.Count >= start + 2)
             {
-                int turn = predicates.Turn(loop[loop.Count - 2], loop[loop.Count - 1], p, axisU, axisV);
+                int turn = predicates.Orientation(loop[loop.Count - 2], loop[loop.Count - 1], p, axisU, axisV);
                 if (turn > 0) break;
                 loop.RemoveAt(loop.Count - 1);
             }

@@ -32,13 +32,13 @@ internal sealed class CellFilter(double[] points, CellGrid grid)
     private double _u, _v, _w, _halfU, _halfV;
 
     /// <summary>Makes a part the one that the other methods are about.</summary>
-    public void Aim(in CellPart part)
+    public void Aim(in CellRect rect)
     {
-        _grid.Measure(part, out _u, out _v, out _halfU, out _halfV);
-        _axisU = _grid.AxisU(part.Face);
-        _axisV = _grid.AxisV(part.Face);
-        _axisW = _grid.AxisW(part.Face);
-        _w = _grid.SignW(part.Face);
+        _grid.Measure(rect, out _u, out _v, out _halfU, out _halfV);
+        _axisU = _grid.AxisU(rect.Face);
+        _axisV = _grid.AxisV(rect.Face);
+        _axisW = _grid.AxisW(rect.Face);
+        _w = _grid.SignW(rect.Face);
     }
 
     /// <summary>Finds the champions of three points in a row.</summary>

@@ -34,12 +34,12 @@ internal readonly struct CellGrid
     public double SignW(int face) => (face & 1) == 0 ? 1 : -1;
 
     /// <summary>The centre of a part and half its sides, a little widened. A single row has no height.</summary>
-    public void Measure(in CellPart part, out double u, out double v, out double halfU, out double halfV)
+    public void Measure(in CellRect rect, out double u, out double v, out double halfU, out double halfV)
     {
-        u = (double)(part.Column + part.EndColumn) / Columns - 1;
-        v = (double)(part.Row + part.EndRow) / Rows - 1;
-        halfU = (part.Columns + 2 * Widening) / Columns;
-        halfV = Rows == 1 ? 0 : (part.Rows + 2 * Widening) / Rows;
+        u = (double)(rect.Column + rect.EndColumn) / Columns - 1;
+        v = (double)(rect.Row + rect.EndRow) / Rows - 1;
+        halfU = (rect.Columns + 2 * Widening) / Columns;
+        halfV = Rows == 1 ? 0 : (rect.Rows + 2 * Widening) / Rows;
     }
 
     private int First => _flatAxis == 0 ? 1 : 0;

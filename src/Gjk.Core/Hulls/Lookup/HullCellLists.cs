@@ -40,7 +40,7 @@ internal sealed class HullCellLists
     private readonly double[] _points;
     private readonly Double3 _stretch;
     private CellGrid _grid;
-    private List<CellPart> _parts = [];
+    private List<CellRect> _rects = [];
     private int[] _lists = [], _samples = [], _listOf = [0];
 
     /// <param name="hull">Its coordinates are read.</param>
@@ -62,19 +62,19 @@ internal sealed class HullCellLists
     public int CellCount => _listOf.Length;
 
     /// <summary>How many lists there are.</summary>
-    public int Count => _parts.Count;
+    public int Count => _rects.Count;
 
     /// <summary>Whether some list is left empty because it would be long.</summary>
     public bool HasLongLists { get; private set; }
 
     /// <summary>An entry of a list; entries ascend.</summary>
-    public int this[int list, int index] => _lists[_parts[list].From + index];
+    public int this[int list, int index] => _lists[_rects[list].From + index];
 
     /// <summary>The list of a cell.</summary>
     public int ListOf(int cell) => _listOf[cell];
 
     /// <summary>How many entries a list has; 0 if it would be long.</summary>
-    public int Length(int list) => _parts[list].Count;
+    public int Length(int list) => _rects[list].Count;
 
     /// <summary>A vertex that is furthest in a direction of the list's cells, or near them.</summary>
     public int Champion(int list) => _samples[list * Samples + Samples / 2];
@@ -84,7 +84,7 @@ internal sealed class HullCellLists
     {
         _lists = new int[_count];
         for (int i = 0; i < _count; i++) _lists[i] = i;
-        _parts.Add(new CellPart(0, 0, 1, 0, 1).WithList(0, _count));
+        _rects.Add(new CellRect(0, 0, 1, 0, 1).WithList(0, _count));
     }
 
     /// <summary>The lists of 6 side² cells.</summary>
@@ -103,7 +103,7 @@ internal sealed class HullCellLists
         }
 
         _listOf = new int[grid.Cells];
-        for (int i = 0; i < _parts.Count; i++) Finish(filter, i);
+        for (int i = 0; i < _rects.Count; i++) Finish(filter, i);
     }
 
     /// <summary>Each face is a part.</summary>
@@ -116,12 +116,12 @@ internal sealed class HullCellLists
         int used = 0;
         for (int face = 0; face < _grid.Faces; face++)
         {
-            var part = new CellPart(face, 0, _grid.Columns, 0, _grid.Rows);
-            filter.Aim(part);
+            var rect = new CellRect(face, 0, _grid.Columns, 0, _grid.Rows);
+            filter.Aim(rect);
             int at = face * Samples;
             for (int row = 0; row < 3; row++) filter.FindChampions(3 * row, 1, all, 0, _count, _samples, at);
             int kept = filter.Copy(_samples, at, all, 0, _count, _lists, used);
-            _parts.Add(part.WithList(used, kept));
+            _rects.Add(rect.WithList(used, kept));
             used += kept;
         }
     }
@@ -132,51 +132,51 @@ internal sealed class HullCellLists
     {
         int most = MaxEntriesPerVertex * _count, used = 0;
         bool isCut = false;
-        var parts = new List<CellPart>(2 * _parts.Count);
+        var rects = new List<CellRect>(2 * _rects.Count);
         int[] lists = new int[_lists.Length], samples = new int[2 * _samples.Length];
-        for (int i = 0; i < _parts.Count; i++)
+        for (int i = 0; i < _rects.Count; i++)
         {
-            CellPart part = _parts[i];
-            if (used + 2 * part.Count > lists.Length) Array.Resize(ref lists, 2 * (used + 2 * part.Count));
-            if (IsHopeless(part)) part = part.WithList(0, 0);
-            if (part.Cells == 1 || part.Count <= ShortList)
+            CellRect rect = _rects[i];
+            if (used + 2 * rect.Count > lists.Length) Array.Resize(ref lists, 2 * (used + 2 * rect.Count));
+            if (IsHopeless(rect)) rect = rect.WithList(0, 0);
+            if (rect.Cells == 1 || rect.Count <= ShortList)
             {
-                Array.Copy(_lists, part.From, lists, used, part.Count);
-                Array.Copy(_samples, i * Samples, samples, parts.Count * Samples, Samples);
-                parts.Add(part.WithList(used, part.Count));
-                used += part.Count;
+                Array.Copy(_lists, rect.From, lists, used, rect.Count);
+                Array.Copy(_samples, i * Samples, samples, rects.Count * Samples, Samples);
+                rects.Add(rect.WithList(used, rect.Count));
+                used += rect.Count;
                 continue;
             }
 
             isCut = true;
             for (int half = 0; half < 2; half++)
             {
-                CellPart child = half == 0 ? part.LowerHalf() : part.UpperHalf();
+                CellRect child = half == 0 ? rect.LowerHalf() : rect.UpperHalf();
                 filter.Aim(child);
-                InheritSamples(filter, part, i * Samples, half, samples, parts.Count * Samples);
-                int kept = filter.Copy(samples, parts.Count * Samples, _lists, part.From, part.Count, lists, used);
-                parts.Add(child.WithList(used, kept));
+                InheritSamples(filter, rect, i * Samples, half, samples, rects.Count * Samples);
+                int kept = filter.Copy(samples, rects.Count * Samples, _lists, rect.From, rect.Count, lists, used);
+                rects.Add(child.WithList(used, kept));
                 used += kept;
             }
 
             if (used > most) return false;
         }
 
-        (_parts, _lists, _samples) = (parts, lists, samples);
+        (_rects, _lists, _samples) = (rects, lists, samples);
         return isCut;
     }
 
     /// <summary>Whether the lists of a part's cells will be too long: if each vertex is in one cell only, and if each
     /// crosses the part in a line. Cutting on would be in vain.</summary>
-    private static bool IsHopeless(in CellPart part) =>
-        part.Count > LongestList / 2 * part.Cells
-        && (double)part.Count * part.Count > 4.0 * LongestList * LongestList * part.Cells;
+    private static bool IsHopeless(in CellRect rect) =>
+        rect.Count > LongestList / 2 * rect.Cells
+        && (double)rect.Count * rect.Count > 4.0 * LongestList * LongestList * rect.Cells;
 
     /// <summary>Of a half's nine points the part knows six; the champions of the three in the middle are looked
     /// for.</summary>
-    private void InheritSamples(CellFilter filter, in CellPart part, int at, int half, int[] samples, int to)
+    private void InheritSamples(CellFilter filter, in CellRect rect, int at, int half, int[] samples, int to)
     {
-        bool byColumns = part.Columns >= part.Rows;
+        bool byColumns = rect.Columns >= rect.Rows;
         int across = byColumns ? 1 : 3, along = byColumns ? 3 : 1;
         for (int k = 0; k < 3; k++)
         {
@@ -184,27 +184,27 @@ internal sealed class HullCellLists
             samples[to + k * along + 2 * across] = _samples[at + k * along + (half + 1) * across];
         }
 
-        filter.FindChampions(across, along, _lists, part.From, part.Count, samples, to);
+        filter.FindChampions(across, along, _lists, rect.From, rect.Count, samples, to);
     }
 
     /// <summary>Shortens a list for the last time, drops it if it is long, and gives it to the cells.</summary>
     private void Finish(CellFilter filter, int list)
     {
-        CellPart part = _parts[list];
-        int kept = part.Count;
+        CellRect rect = _rects[list];
+        int kept = rect.Count;
         if (kept > ShortList && kept <= LongestClipped)
         {
-            filter.Aim(part);
-            kept = filter.Clip(_samples, list * Samples, _lists, part.From, kept);
+            filter.Aim(rect);
+            kept = filter.Clip(_samples, list * Samples, _lists, rect.From, kept);
         }
 
         if (kept > LongestList) kept = 0;
         HasLongLists |= kept == 0;
-        _parts[list] = part.WithList(part.From, kept);
-        for (int row = part.Row; row < part.EndRow; row++)
+        _rects[list] = rect.WithList(rect.From, kept);
+        for (int row = rect.Row; row < rect.EndRow; row++)
         {
-            for (int column = part.Column; column < part.EndColumn; column++)
-                _listOf[_grid.Cell(part.Face, row, column)] = list;
+            for (int column = rect.Column; column < rect.EndColumn; column++)
+                _listOf[_grid.Cell(rect.Face, row, column)] = list;
         }
     }
 }

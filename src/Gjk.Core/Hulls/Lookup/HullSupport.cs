@@ -61,7 +61,7 @@ internal static class HullSupport
         BranchFree.IsNegative(x) | (BranchFree.IsNegative(y) << 1) | (BranchFree.IsNegative(z) << 2);
 
     /// <summary>The slot of the furthest vertex where <see cref="Find"/> has no short cut: flat hulls, cells without a
-    /// list, ties of box corners, directions of extreme length.</summary>
+    /// list, directions of extreme length.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static int FindRarely(HullCells cells, double dx, double dy, double dz)
     {

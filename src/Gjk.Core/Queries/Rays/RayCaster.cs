@@ -72,7 +72,7 @@ internal static class RayCaster
 
         if (finding == RayFinding.Unfit) return false;
         if (!Judge(finding == RayFinding.Found, span, shift, radius, line.Reach, ref hit)) return true;
-        Place(rotation, span, line, ref hit);
+        SetSurface(rotation, span, line, ref hit);
         if (!isNear) hit.Point = rotation.Rotate(ray.At(span.Enter) + form.Center) + pose.Position;
         return true;
     }
@@ -100,7 +100,7 @@ internal static class RayCaster
         if (hit.Status != CastStatus.None) return true;
         if (!isNear || !RayBox.IsSolid(size) || RayBox.IsAlongSide(ray, size)) return false;
         bool isFound = RayBox.TryFind(ray, size, out RaySpan span);
-        if (Judge(isFound, span, ray.Shift, radius, line.Reach, ref hit)) Place(rotation, span, line, ref hit);
+        if (Judge(isFound, span, ray.Shift, radius, line.Reach, ref hit)) SetSurface(rotation, span, line, ref hit);
         return true;
     }
 
@@ -125,7 +125,7 @@ internal static class RayCaster
 
     /// <summary>The normal and the point of a hit near the origin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Place(in RotationD rotation, in RaySpan span, in WorldRay line, ref RayMeeting hit)
+    private static void SetSurface(in RotationD rotation, in RaySpan span, in WorldRay line, ref RayMeeting hit)
     {
         Double3 normal = rotation.Rotate(span.Normal);
         double length = normal.Length;

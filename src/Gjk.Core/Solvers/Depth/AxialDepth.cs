@@ -47,7 +47,7 @@ internal static unsafe class AxialDepth<TA, TB>
     {
         int before = state.Iterations;
         DepthBounds depth = DepthBounds.None;
-        Verdict verdict = Turn(ref a, ref b, frame, plane, ref state, ref depth);
+        Verdict verdict = SearchAround(ref a, ref b, frame, plane, ref state, ref depth);
         return End(ref a, ref b, frame, depth, verdict, before, ref state);
     }
 
@@ -57,34 +57,34 @@ internal static unsafe class AxialDepth<TA, TB>
         ref SolverState state)
     {
         double band = GjkTolerances.SeparatedBandOf(state.IsCurved) * state.Size.Value + 2 * state.DepthNoise;
-        if (verdict == Verdict.Enclosed && !(depth.Above > band)) verdict = Verdict.Undecided;
+        if (verdict == Verdict.Enclosed && !(depth.Upper > band)) verdict = Verdict.Undecided;
         if (verdict == Verdict.Undecided) state.Iterations = before;
-        else verdict = depth.End(ref a, ref b, frame, verdict, ref state);
+        else verdict = depth.StoreWithPoints(ref a, ref b, frame, verdict, ref state);
         return verdict;
     }
 
     /// <summary>Looks at a known direction, or at half a circle of them.</summary>
-    public static Verdict Look(
+    public static Verdict Probe(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, int limit, ref SolverState state,
         ref DepthBounds depth) =>
-        way.IsDirection ? Look(ref a, ref b, frame, way, ref state, ref depth)
+        way.IsDirection ? Probe(ref a, ref b, frame, way, ref state, ref depth)
             : Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
 
     /// <summary>The direction is known.</summary>
-    private static Verdict Look(
+    private static Verdict Probe(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
     {
-        Look(ref a, ref b, frame, way, 1, 0, ref state, ref depth);
+        Probe(ref a, ref b, frame, way, 1, 0, ref state, ref depth);
         return depth.VerdictOr(state, Verdict.Enclosed);
     }
 
     /// <summary>Looks at a known direction, or searches the plane, or where the bodies are only nearly coaxial one
     /// plane after the other all around the axis: each proves those beside it as far as the slope lets it, and how ways
     /// out change where it is.</summary>
-    public static Verdict Turn(
+    public static Verdict SearchAround(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
     {
-        if (way.IsDirection) return Look(ref a, ref b, frame, way, ref state, ref depth);
+        if (way.IsDirection) return Probe(ref a, ref b, frame, way, ref state, ref depth);
         int limit = state.Iterations + MostSupports;
         Verdict verdict = Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
         int finest = Math.Min(limit, state.Iterations + MostFiner);
@@ -93,8 +93,8 @@ internal static unsafe class AxialDepth<TA, TB>
         double angle = 0, half = Math.PI / 4, known = double.PositiveInfinity, noise = Noise * state.Size.Value;
         while (way.Slope > 0 && angle < 2 * Math.PI && verdict == Verdict.Enclosed)
         {
-            if (depth.Above < known - noise) Descend(ref a, ref b, frame, way, ref state, ref depth);
-            known = depth.Above;
+            if (depth.Upper < known - noise) Descend(ref a, ref b, frame, way, ref state, ref depth);
+            known = depth.Upper;
             WayOut plane = way.Turned(angle + half);
             verdict = Walk(ref a, ref b, frame, plane, half, Noise, limit, ref state, ref depth);
             bool isTooWide = verdict == Verdict.Flat;
@@ -120,7 +120,7 @@ internal static unsafe class AxialDepth<TA, TB>
                 Double3 normal = best + (i < 2 ? around : along) * ((i & 1) == 0 ? step : -step);
                 normal *= 1 / normal.Length;
                 Double3 w = Support(ref a, ref b, frame, normal, ref state, out _);
-                depth.See(normal, Double3.Dot(normal, w));
+                depth.TightenUpper(normal, Double3.Dot(normal, w));
             }
         }
     }
@@ -133,10 +133,10 @@ internal static unsafe class AxialDepth<TA, TB>
         ref SolverState state, ref DepthBounds depth)
     {
         AxialSide* waiting = stackalloc AxialSide[MostWaiting];
-        AxialSide begin = Look(ref a, ref b, frame, plane, 0, -1, ref state, ref depth), south = begin;
-        waiting[1] = Look(ref a, ref b, frame, plane, 1, 0, ref state, ref depth);
-        waiting[0] = Look(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
-        if (!(depth.Above <= double.MaxValue)) return Verdict.Contradiction;
+        AxialSide begin = Probe(ref a, ref b, frame, plane, 0, -1, ref state, ref depth), south = begin;
+        waiting[1] = Probe(ref a, ref b, frame, plane, 1, 0, ref state, ref depth);
+        waiting[0] = Probe(ref a, ref b, frame, plane, 0, 1, ref state, ref depth);
+        if (!(depth.Upper <= double.MaxValue)) return Verdict.Contradiction;
         int count = 2;
         noise *= state.Size.Value;
         double contradiction = GjkTolerances.Contradiction * state.Size.Value;
@@ -146,14 +146,14 @@ internal static unsafe class AxialDepth<TA, TB>
             AxialSide end = waiting[count - 1];
             bool isChord = begin.TryGetChord(end, out double x, out double y, out double height);
             bool isProved = half > 0
-                ? begin.IsProved(end, half, plane.Slope, depth.Above - noise)
-                : !isChord || height >= depth.Above - noise;
+                ? begin.IsProved(end, half, plane.Slope, depth.Upper - noise)
+                : !isChord || height >= depth.Upper - noise;
             if (!isProved)
             {
                 if (count == MostWaiting || state.Iterations >= limit) return Verdict.Undecided;
                 if (isChord)
                 {
-                    AxialSide between = Look(ref a, ref b, frame, plane, x, y, ref state, ref depth);
+                    AxialSide between = Probe(ref a, ref b, frame, plane, x, y, ref state, ref depth);
                     if (!(between.Height - height >= -contradiction)) return Verdict.Contradiction;
                     if (between.Height - height > noise)
                     {
@@ -162,7 +162,7 @@ internal static unsafe class AxialDepth<TA, TB>
                     }
                 }
 
-                if (half > 0 && !begin.IsProved(end, half, plane.Slope, depth.Above - 2 * noise))
+                if (half > 0 && !begin.IsProved(end, half, plane.Slope, depth.Upper - 2 * noise))
                     return Verdict.Flat;
             }
 
@@ -170,18 +170,18 @@ internal static unsafe class AxialDepth<TA, TB>
             count--;
         }
 
-        bool isAlong = south.IsHigh(half, plane.Slope, depth.Above - noise)
-            && begin.IsHigh(half, plane.Slope, depth.Above - noise);
+        bool isAlong = south.IsHigh(half, plane.Slope, depth.Upper - noise)
+            && begin.IsHigh(half, plane.Slope, depth.Upper - noise);
         return isAlong ? Verdict.Enclosed : Verdict.Flat;
     }
 
-    private static AxialSide Look(
+    private static AxialSide Probe(
         ref TA a, ref TB b, in PairFrame frame, in WayOut plane, double across, double along, ref SolverState state,
         ref DepthBounds depth)
     {
         Double3 normal = plane.At(across, along);
         Double3 w = Support(ref a, ref b, frame, normal, ref state, out DifferenceVertex vertex);
-        depth.See(normal, Double3.Dot(normal, w));
+        depth.TightenUpper(normal, Double3.Dot(normal, w));
         Double3 moved = default, bent = default;
         if (plane.Slope > 0)
         {
@@ -196,10 +196,10 @@ internal static unsafe class AxialDepth<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, ref SolverState state,
         out DifferenceVertex vertex)
     {
-        Uncleared.Begin(out vertex);
+        UnsafeRef.SkipInit(out vertex);
         int ids = MinkowskiDifference.Support(ref a, ref b, frame, -normal, ref vertex, out Double3 w);
         state.Iterations++;
-        if (state.Matters<TA, TB>(ids)) state.See(frame, vertex);
+        if (state.ChangesTolerances<TA, TB>(ids)) state.Observe(frame, vertex);
         return w;
     }
 }

@@ -28,7 +28,7 @@ internal static class BoxDepthPoints
     /// <summary>Finds both points, from the boxes' centres and in their frames.</summary>
     public static void Find(in BoxPair pair, in DepthBounds depth, double size, out Double3 onA, out Double3 inB)
     {
-        Double3 way = depth.Normal * depth.Above;
+        Double3 way = depth.Normal * depth.Upper;
         int face = FaceOf(pair, depth.Normal);
         if (face < 3)
         {
@@ -124,7 +124,7 @@ internal static class BoxDepthPoints
 
         // a + s along = b + normal depth + r alongB; the cross product with alongB leaves s, the dot product with along
         // says where B's edge lies beside A's. Of nearly parallel edges rounding moves s far, but not out of both.
-        Double3 across = Double3.Cross(along, alongB), between = b + normal * depth.Above - a;
+        Double3 across = Double3.Cross(along, alongB), between = b + normal * depth.Upper - a;
         double half = Along(pair.HalfA, i), reach = Along(pair.HalfB, j) * Math.Abs(Double3.Dot(along, alongB));
         double s = Double3.Dot(Double3.Cross(between, alongB), across) / across.LengthSquared;
         double middle = Double3.Dot(between, along);

@@ -37,27 +37,27 @@ internal static class CornerDepth<TA, TB>
         int count = form.A.CornerCount + form.B.CornerCount, most = MostCorners / (form.HasEllipsoid ? 1 : 4);
         if (!form.AreRoundAndCornered || count > most) return Verdict.Undecided;
         int before = state.Iterations;
-        var depth = DepthBounds.Of(state);
+        var depth = DepthBounds.FromState(state);
         int limit = before + AxialDepth<TA, TB>.MostSupports;
         Double3 dear = default;
         var verdict = Verdict.Enclosed;
         for (int i = 0; i < count && verdict == Verdict.Enclosed; i++)
-            verdict = Turn(ref a, ref b, frame, form, i, limit, ref state, ref depth, ref dear);
+            verdict = SearchCorner(ref a, ref b, frame, form, i, limit, ref state, ref depth, ref dear);
         if (depth.IsApart(state)) verdict = Verdict.Apart;
         if (verdict == Verdict.Undecided) state.Iterations = before;
-        else verdict = depth.End(ref a, ref b, frame, verdict, ref state);
+        else verdict = depth.StoreWithPoints(ref a, ref b, frame, verdict, ref state);
         return verdict;
     }
 
     /// <summary>All ways around a corner, those across an edge or a facet at the last of its corners, and not across an
     /// edge along a dear one: the circle is the same.</summary>
-    private static Verdict Turn(
+    private static Verdict SearchCorner(
         ref TA a, ref TB b, in PairFrame frame, in PairForm form, int id, int limit, ref SolverState state,
         ref DepthBounds depth, ref Double3 dear)
     {
         ref readonly BodyForm body = ref (form.A.CornerCount > 0 ? ref form.A : ref form.B);
         Double3 corner = Offset(ref a, ref b, frame, form, id);
-        Verdict verdict = Look(ref a, ref b, frame, form, corner, default, limit, ref state, ref depth);
+        Verdict verdict = ProbeAcross(ref a, ref b, frame, form, corner, default, limit, ref state, ref depth);
         if (body.IsBox && id < body.CornerCount - 1 && !form.HasEllipsoid) return verdict;
         for (int i = 0; i < body.NeighborCount(id) && body.Neighbor(id, i) < id; i++)
         {
@@ -68,7 +68,7 @@ internal static class CornerDepth<TA, TB>
             double same = Double3.Dot(edge, dear);
             if (same * same >= 1 - PairForm.Parallel * PairForm.Parallel) continue;
             int before = state.Iterations;
-            verdict = Look(ref a, ref b, frame, form, corner, edge, limit, ref state, ref depth);
+            verdict = ProbeAcross(ref a, ref b, frame, form, corner, edge, limit, ref state, ref depth);
             if (state.Iterations - before > Dear) dear = edge;
             for (int k = 0; k < i && form.HasEllipsoid; k++)
             {
@@ -76,8 +76,8 @@ internal static class CornerDepth<TA, TB>
                 Double3 normal = Double3.Cross(edge, other);
                 if (!(normal.LengthSquared > 0)) continue;
                 normal *= 1 / normal.Length;
-                AxialDepth<TA, TB>.Look(ref a, ref b, frame, WayOut.In(normal), limit, ref state, ref depth);
-                AxialDepth<TA, TB>.Look(ref a, ref b, frame, WayOut.In(-normal), limit, ref state, ref depth);
+                AxialDepth<TA, TB>.Probe(ref a, ref b, frame, WayOut.In(normal), limit, ref state, ref depth);
+                AxialDepth<TA, TB>.Probe(ref a, ref b, frame, WayOut.In(-normal), limit, ref state, ref depth);
             }
         }
 
@@ -85,15 +85,15 @@ internal static class CornerDepth<TA, TB>
     }
 
     /// <summary>The ways across a corner or an edge.</summary>
-    private static Verdict Look(
+    private static Verdict ProbeAcross(
         ref TA a, ref TB b, in PairFrame frame, in PairForm form, in Double3 corner, in Double3 edge, int limit,
         ref SolverState state, ref DepthBounds depth)
     {
         WayOut way = form.WayAcross(frame, corner, edge, false), other = form.WayAcross(frame, corner, edge, true);
         if (!way.IsKnown) return Verdict.Undecided;
-        Verdict verdict = AxialDepth<TA, TB>.Look(ref a, ref b, frame, way, limit, ref state, ref depth);
+        Verdict verdict = AxialDepth<TA, TB>.Probe(ref a, ref b, frame, way, limit, ref state, ref depth);
         return verdict == Verdict.Enclosed
-            ? AxialDepth<TA, TB>.Look(ref a, ref b, frame, other, limit, ref state, ref depth)
+            ? AxialDepth<TA, TB>.Probe(ref a, ref b, frame, other, limit, ref state, ref depth)
             : verdict;
     }
 

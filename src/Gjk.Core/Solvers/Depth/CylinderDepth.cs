@@ -39,16 +39,16 @@ internal static class CylinderDepth<TA, TB>
             return Verdict.Undecided;
         DepthBounds depth = DepthBounds.None;
         int before = state.Iterations;
-        AxialDepth<TA, TB>.Turn(ref a, ref b, frame, WayOut.In(axis), ref state, ref depth);
-        Verdict verdict = AxialDepth<TA, TB>.Turn(ref a, ref b, frame, WayOut.In(-axis), ref state, ref depth);
+        AxialDepth<TA, TB>.SearchAround(ref a, ref b, frame, WayOut.In(axis), ref state, ref depth);
+        Verdict verdict = AxialDepth<TA, TB>.SearchAround(ref a, ref b, frame, WayOut.In(-axis), ref state, ref depth);
         WayOut around = WayOut.Along(axis, frame.Translation, 0, default, default);
-        if (depth.Above > room && !TryAcross(ref a, ref b, frame, around, side, ref state, ref depth))
+        if (depth.Upper > room && !TryAcross(ref a, ref b, frame, around, side, ref state, ref depth))
         {
             for (int half = -1; half <= 1 && verdict == Verdict.Enclosed; half += 2)
             {
                 Double3 across = around.Across * half;
                 var way = WayOut.Along(Double3.Cross(axis, across), across, 0, default, default);
-                verdict = AxialDepth<TA, TB>.Turn(ref a, ref b, frame, way, ref state, ref depth);
+                verdict = AxialDepth<TA, TB>.SearchAround(ref a, ref b, frame, way, ref state, ref depth);
             }
         }
 
@@ -70,7 +70,7 @@ internal static class CylinderDepth<TA, TB>
             if (!(length < known && length > GjkTolerances.DepthNoiseCurved * size)) return false;
             Double3 normal = nearest * (1 / length);
             Double3 w = AxialDepth<TA, TB>.Support(ref a, ref b, frame, normal, ref state, out _);
-            depth.See(normal, Double3.Dot(normal, w));
+            depth.TightenUpper(normal, Double3.Dot(normal, w));
 
             // What rounding leaves along the axis would grow from corner to corner.
             Double3 corner = normal * side - w;

@@ -29,9 +29,9 @@ internal static unsafe class DepthCells<TA, TB>
     /// <summary>Finds the depth from what the general search has left in the state.</summary>
     public static Verdict Solve(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
     {
-        var depth = DepthBounds.Of(state);
+        var depth = DepthBounds.FromState(state);
         Verdict verdict = Search(ref a, ref b, frame, ref state, ref depth);
-        return depth.End(ref a, ref b, frame, verdict, ref state);
+        return depth.StoreWithPoints(ref a, ref b, frame, verdict, ref state);
     }
 
     /// <summary>Its stack is given back when it returns.</summary>
@@ -53,7 +53,7 @@ internal static unsafe class DepthCells<TA, TB>
         int deepest = 0, limit = state.Iterations + MostSupports;
         while (true)
         {
-            double noise = CellNoise(state), proved = depth.Above - noise;
+            double noise = CellNoise(state), proved = depth.Upper - noise;
             int face = polytope.Lowest(out _);
             double lowest = polytope.Face(face).Height;
             if (lowest >= proved)
@@ -69,7 +69,7 @@ internal static unsafe class DepthCells<TA, TB>
             if (!polytope.HasRoom || (polytope.CutCount < deepest && polytope.VertexCount >= EarlyVertices))
             {
                 if (polytope.CutCount == Polytope.MostCuts) return Verdict.Undecided;
-                if (!polytope.TryCut(polytope.Halving(proved))) return Verdict.Undecided;
+                if (!polytope.TryCut(polytope.BisectingCut(proved))) return Verdict.Undecided;
                 deepest = Math.Max(deepest, polytope.CutCount);
                 continue;
             }
@@ -78,7 +78,7 @@ internal static unsafe class DepthCells<TA, TB>
             Double3 normal = polytope.Face(face).UnitNormal;
             int vertex = PolytopeStart<TA, TB>.Support(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Double3.Dot(normal, polytope.Vertex(vertex).W), gap = height - lowest;
-            depth.See(normal, height);
+            depth.TightenUpper(normal, height);
             if (depth.IsApart(state)) return Verdict.Apart;
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value)) return Verdict.Contradiction;
             if (gap <= noise) polytope.DropLast();

@@ -35,8 +35,8 @@ internal static unsafe class GjkDepth<TA, TB, TTrace>
         bool isFiner = false;
         if (verdict == Verdict.Undecided)
             return Expand(ref a, ref b, frame, ref state, ref polytope, ref depth, ref isFiner, ref trace);
-        Tell(OutcomeOf(verdict), frame, polytope, -1, depth, ref trace);
-        depth.Store(ref state, depth.Above);
+        TraceStep(OutcomeOf(verdict), frame, polytope, -1, depth, ref trace);
+        depth.Store(ref state, depth.Upper);
         return verdict;
     }
 
@@ -68,38 +68,38 @@ internal static unsafe class GjkDepth<TA, TB, TTrace>
             // Supports in float make faces without area there; the state has the end where the bounds met before.
             if (isFiner && !(scale <= double.MaxValue)) return Verdict.Enclosed;
             double lowest = polytope.Face(face).Offset * scale;
-            depth.Below = Math.Max(depth.Below, lowest);
+            depth.Lower = Math.Max(depth.Lower, lowest);
             int vertex = PolytopeStart<TA, TB>.Support(ref a, ref b, frame, normal, ref state, ref polytope);
             double height = Double3.Dot(normal, polytope.Vertex(vertex).W) * scale, gap = height - lowest;
-            if (height < depth.Above) (depth.Normal, depth.Above) = (normal * scale, height);
+            if (height < depth.Upper) (depth.Normal, depth.Upper) = (normal * scale, height);
             if (depth.IsApart(state))
             {
-                Tell(PolytopeOutcome.Apart, frame, polytope, face, depth, ref trace);
-                depth.Store(ref state, depth.Above);
+                TraceStep(PolytopeOutcome.Apart, frame, polytope, face, depth, ref trace);
+                depth.Store(ref state, depth.Upper);
                 return Verdict.Apart;
             }
 
             if (!(gap >= -GjkTolerances.Contradiction * state.Size.Value))
             {
                 if (isFiner) return Verdict.Enclosed;
-                Tell(PolytopeOutcome.Contradiction, frame, polytope, face, depth, ref trace);
+                TraceStep(PolytopeOutcome.Contradiction, frame, polytope, face, depth, ref trace);
                 return Verdict.Contradiction;
             }
 
             double finest = GjkTolerances.NormalNoise * state.Size.Value;
             bool hasMet = gap <= (isFiner ? finest : state.DepthNoise);
-            if (hasMet || (depth.Above - depth.Below <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex)))
+            if (hasMet || (depth.Upper - depth.Lower <= RepeatedGap(frame, state, depth) && polytope.Repeats(vertex)))
             {
-                Tell(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
-                if (hasMet) (depth.Normal, depth.Above) = (normal * scale, height);
-                Settle(ref state, polytope, face, depth, depth.Above);
+                TraceStep(PolytopeOutcome.BoundsMet, frame, polytope, face, depth, ref trace);
+                if (hasMet) (depth.Normal, depth.Upper) = (normal * scale, height);
+                Settle(ref state, polytope, face, depth, depth.Upper);
                 bool isFinest = !state.IsCurved || isFiner || gap <= finest;
                 if (isFinest || SmoothNormal<TA, TB>.TryEnd(ref a, ref b, frame, depth, ref state))
                     return Verdict.Enclosed;
                 isFiner = true;
             }
 
-            Tell(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);
+            TraceStep(PolytopeOutcome.Grows, frame, polytope, face, depth, ref trace);
             isClosed = polytope.TryExpand(face, vertex, lowest > 0 ? key : double.NegativeInfinity);
         }
 
@@ -108,8 +108,8 @@ internal static unsafe class GjkDepth<TA, TB, TTrace>
 
         // Where the bounds have met before, the state has that end.
         if (isFiner) return Verdict.Enclosed;
-        Tell(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);
-        Settle(ref state, polytope, face, depth, Math.Max(depth.Below, 0));
+        TraceStep(PolytopeOutcome.OutOfRoom, frame, polytope, -1, depth, ref trace);
+        Settle(ref state, polytope, face, depth, Math.Max(depth.Lower, 0));
         return Verdict.Undecided;
     }
 
@@ -117,23 +117,23 @@ internal static unsafe class GjkDepth<TA, TB, TTrace>
     /// are level or vertices that nearly coincide. It cannot grow the surface, and bounds that are no further apart
     /// than this are within the promise.</summary>
     private static double RepeatedGap(in PairFrame frame, in SolverState state, in DepthBounds depth) =>
-        GjkTolerances.RepeatedGap * (depth.Above + frame.Margins) + 4 * state.DepthNoise;
+        GjkTolerances.RepeatedGap * (depth.Upper + frame.Margins) + 4 * state.DepthNoise;
 
     /// <summary>Puts the face that holds the cheapest way out's end into the state.</summary>
     private static void Settle(
         ref SolverState state, in Polytope polytope, int face, in DepthBounds depth, double length)
     {
-        face = PolytopeEnd.FaceUnder(polytope, face, depth.Normal, depth.Above, state.DepthNoise);
+        face = PolytopeEnd.FaceUnder(polytope, face, depth.Normal, depth.Upper, state.DepthNoise);
         PolytopeEnd.Copy(polytope, face, ref state.Simplex);
         depth.Store(ref state, length);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Tell(
+    private static void TraceStep(
         PolytopeOutcome outcome, in PairFrame frame, in Polytope polytope, int face, in DepthBounds depth,
         ref TTrace trace)
     {
-        if (trace.IsOn) trace.OnStep(new PolytopeStep(frame, polytope, face, outcome, depth.Below, depth.Above));
+        if (trace.IsOn) trace.OnStep(new PolytopeStep(frame, polytope, face, outcome, depth.Lower, depth.Upper));
     }
 
     /// <summary>How a search without a surface ended.</summary>
@@ -159,7 +159,7 @@ internal static class PolytopeEnd
         double least = DistanceSquared(polytope, best, point);
         for (int i = 0; i < polytope.FaceCount && least > noise * noise; i++)
         {
-            if (!polytope.IsThere(i)) continue;
+            if (!polytope.IsLive(i)) continue;
             double squared = DistanceSquared(polytope, i, point);
             if (!(squared < least)) continue;
             least = squared;

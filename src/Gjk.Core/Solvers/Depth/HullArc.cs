@@ -48,21 +48,21 @@ internal struct HullArc
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        HullTurn end = FindEnd(facet, ref a, form.A, out bool isCertain);
+        ArcAngle end = FindEnd(facet, ref a, form.A, out bool isCertain);
         double slack = HullFacet.Slack * (Math.Abs(_height) + Math.Abs(_slope));
-        if (isCertain && end.Of(_height, _slope) < _height - slack) return true;
+        if (isCertain && end.DotAt(_height, _slope) < _height - slack) return true;
         b.TryGetVertex(_id, out Double3 onB);
         while (true)
         {
-            double atEnd = end.Of(_height, _slope)
-                - end.Of(Double3.Dot(onB, _normalInB), Double3.Dot(onB, _aheadInB));
+            double atEnd = end.DotAt(_height, _slope)
+                - end.DotAt(Double3.Dot(onB, _normalInB), Double3.Dot(onB, _aheadInB));
             if (atEnd >= search.Limit) return true;
-            HullTurn turn = end;
+            ArcAngle turn = end;
             int next = FindChange(ref b, form.B, onB, ref turn);
             HullArc before = this;
-            HullTurn left = end;
+            ArcAngle left = end;
             Go(turn, ref end);
-            while (!search.TryLook(ref a, ref b, frame, _normal, _height - Double3.Dot(onB, _normalInB)))
+            while (!search.TryProbe(ref a, ref b, frame, _normal, _height - Double3.Dot(onB, _normalInB)))
             {
                 if (IsBeyond(ref a, frame, search.Noise)) return true;
                 next = b.Support(-_normalInB, out Double3 further);
@@ -87,19 +87,19 @@ internal struct HullArc
         return Double3.Dot(_normal, onA - frame.Translation) - _height > noise;
     }
 
-    private readonly bool TryShorten(in Double3 fromB, ref HullTurn turn) =>
+    private readonly bool TryShorten(in Double3 fromB, ref ArcAngle turn) =>
         turn.TryShorten(Double3.Dot(fromB, _normalInB), Double3.Dot(fromB, _aheadInB));
 
     /// <summary>Whether all that is left of the arc is high: between its ends it is as high as the lower one.</summary>
-    private readonly bool IsHigh(in HullTurn end, double height) =>
-        _height > 0 && Math.Min(_height, end.Of(_height, _slope)) >= Math.Max(height, 0);
+    private readonly bool IsHigh(in ArcAngle end, double height) =>
+        _height > 0 && Math.Min(_height, end.DotAt(_height, _slope)) >= Math.Max(height, 0);
 
     /// <summary>How far to turn until another corner of A, that is not on the edge's line, is as far.</summary>
-    private readonly HullTurn FindEnd<TA>(in HullFacet facet, ref TA a, in BodyForm form, out bool isCertain)
+    private readonly ArcAngle FindEnd<TA>(in HullFacet facet, ref TA a, in BodyForm form, out bool isCertain)
         where TA : struct, ISupportMap
     {
         int[] starts = form.Hull!.NeighborStart, neighbors = form.Hull.Neighbors;
-        HullTurn end = HullTurn.Half;
+        ArcAngle end = ArcAngle.Half;
         double squared = 0, onLine = facet.LineSquared;
         bool isClear = true;
         for (int k = starts[facet.IdP]; k < starts[facet.IdP + 1]; k++)
@@ -118,7 +118,7 @@ internal struct HullArc
     }
 
     /// <summary>How far to turn until another corner of B is as far as the one that is furthest.</summary>
-    private readonly int FindChange<TB>(ref TB b, in BodyForm form, in Double3 onB, ref HullTurn turn)
+    private readonly int FindChange<TB>(ref TB b, in BodyForm form, in Double3 onB, ref ArcAngle turn)
         where TB : struct, ISupportMap
     {
         int[] starts = form.Hull!.NeighborStart, neighbors = form.Hull.Neighbors;
@@ -134,30 +134,30 @@ internal struct HullArc
         return next;
     }
 
-    private void Go(in HullTurn turn, ref HullTurn end)
+    private void Go(in ArcAngle turn, ref ArcAngle end)
     {
         (_normal, _ahead) = (_normal * turn.Cosine + _ahead * turn.Sine, _ahead * turn.Cosine - _normal * turn.Sine);
         (_normalInB, _aheadInB) = (
             _normalInB * turn.Cosine + _aheadInB * turn.Sine, _aheadInB * turn.Cosine - _normalInB * turn.Sine);
-        (_height, _slope) = (turn.Of(_height, _slope), _slope * turn.Cosine - _height * turn.Sine);
-        end.TakeAway(turn);
+        (_height, _slope) = (turn.DotAt(_height, _slope), _slope * turn.Cosine - _height * turn.Sine);
+        end.Subtract(turn);
     }
 }
 
 /// <summary>An angle between 0 and half a turn, by its cosine and sine.</summary>
-internal struct HullTurn
+internal struct ArcAngle
 {
     /// <summary>Times any length.</summary>
     public double Cosine, Sine;
 
     /// <summary>Half a turn, less so little that double does not tell it from half a turn.</summary>
-    public static HullTurn Half => new() { Cosine = -1, Sine = 1e-100 };
+    public static ArcAngle Half => new() { Cosine = -1, Sine = 1e-100 };
 
     /// <summary>The squared length that they are multiplied by.</summary>
     public readonly double SizeSquared => Cosine * Cosine + Sine * Sine;
 
     /// <summary>Of two products with directions a quarter turn apart, that with the direction between them.</summary>
-    public readonly double Of(double here, double ahead) => here * Cosine + ahead * Sine;
+    public readonly double DotAt(double here, double ahead) => here * Cosine + ahead * Sine;
 
     /// <summary>Shortens it to where a product falls to 0, that is not below 0 here, if that is sooner.</summary>
     /// <param name="here">The product now; rounding may have made it less than 0.</param>
@@ -182,6 +182,6 @@ internal struct HullTurn
     }
 
     /// <summary>Takes another angle away that is not larger.</summary>
-    public void TakeAway(in HullTurn turn) =>
+    public void Subtract(in ArcAngle turn) =>
         (Cosine, Sine) = (Cosine * turn.Cosine + Sine * turn.Sine, Sine * turn.Cosine - Cosine * turn.Sine);
 }

@@ -41,10 +41,10 @@ internal static class HullDepth<TA, TB>
         bool isProved = TryFacetsOfB(ref a, ref b, frame, form, ref search)
             && TryFacetsOfA(ref a, ref b, frame, form, ref search);
         state.Iterations += search.Supports;
-        search.Depth.Below = Math.Max(search.Depth.Below, search.InnerA + search.InnerB - frame.Translation.Length);
+        search.Depth.Lower = Math.Max(search.Depth.Lower, search.InnerA + search.InnerB - frame.Translation.Length);
         Verdict verdict = search.Depth.IsApart(state) ? Verdict.Apart
             : isProved ? Verdict.Enclosed : Verdict.Undecided;
-        return search.Depth.End(ref a, ref b, frame, verdict, ref state);
+        return search.Depth.StoreWithPoints(ref a, ref b, frame, verdict, ref state);
     }
 
     private static bool TryFacetsOfB(ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref FacetSearch search)
@@ -66,7 +66,7 @@ internal static class HullDepth<TA, TB>
             Double3 outward = facet.Normal * (1 / facet.Normal.Length), normal = frame.Rotation.Rotate(-outward);
             a.Support(normal, out Double3 onA);
             double height = Double3.Dot(normal, onA) + Double3.Dot(outward, facet.P + offset);
-            if (!search.TryLook(ref a, ref b, frame, normal, height)) return false;
+            if (!search.TryProbe(ref a, ref b, frame, normal, height)) return false;
         }
 
         return IsLeft(count, lines);
@@ -88,9 +88,9 @@ internal static class HullDepth<TA, TB>
             Double3 normal = facet.Normal * (1 / facet.Normal.Length), inB = frame.Rotation.InverseRotate(normal);
             int id = b.Support(-inB, out Double3 onB);
             double height = Double3.Dot(normal, facet.P - frame.Translation) - Double3.Dot(inB, onB);
-            if (!search.TryLook(ref a, ref b, frame, normal, height)) return false;
+            if (!search.TryProbe(ref a, ref b, frame, normal, height)) return false;
             if (form.B.Hull is null) continue;
-            for (int k = 0; k < 3; k++, facet.Turn())
+            for (int k = 0; k < 3; k++, facet.NextEdge())
             {
                 var arc = new HullArc(facet, normal, frame, id);
                 if (!arc.TryWalk(facet, ref a, ref b, frame, form, ref search)) return false;
@@ -108,7 +108,7 @@ internal static class HullDepth<TA, TB>
 internal struct FacetSearch(in PairForm form, in SolverState state, int looks)
 {
     /// <summary>The cheapest way out.</summary>
-    public DepthBounds Depth = DepthBounds.Of(state);
+    public DepthBounds Depth = DepthBounds.FromState(state);
 
     /// <summary>Supports asked.</summary>
     public int Supports = 0;
@@ -125,22 +125,22 @@ internal struct FacetSearch(in PairForm form, in SolverState state, int looks)
     public readonly bool AreSpent => _looks < 0;
 
     /// <summary>What is as high is no cheaper than the cheapest way out, but for rounding.</summary>
-    public readonly double Limit => Depth.Above - Noise;
+    public readonly double Limit => Depth.Upper - Noise;
 
     /// <summary>Takes note of a direction whose way out costs at least so much. Where that seems to be the least,
     /// supports of both shapes say what it does cost.</summary>
     /// <returns>False when the looks are spent, or the supports do not agree.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryLook<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, double height)
+    public bool TryProbe<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, double height)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         if (--_looks < 0) return false;
         Supports++;
-        if (height >= Depth.Above) return true;
+        if (height >= Depth.Upper) return true;
         Double3 unit = normal * (1 / normal.Length);
         MinkowskiDifference.Support(ref a, ref b, frame, -unit, out Double3 w);
-        Depth.See(unit, Double3.Dot(unit, w));
+        Depth.TightenUpper(unit, Double3.Dot(unit, w));
         return height >= Limit;
     }
 }
@@ -204,7 +204,7 @@ internal struct HullFacet
     }
 
     /// <summary>Makes the second corner the first.</summary>
-    public void Turn()
+    public void NextEdge()
     {
         (P, Q, R) = (Q, R, P);
         (IdP, IdQ, IdR) = (IdQ, IdR, IdP);

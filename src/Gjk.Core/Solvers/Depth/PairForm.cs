@@ -38,7 +38,7 @@ internal readonly struct PairForm(in BodyForm a, in BodyForm b, in PairFrame fra
     /// <param name="frame">Where B is, seen from A; its units are the form's.</param>
     /// <param name="form">What is known then.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Look<TA, TB>(ref TA a, ref TB b, in PairFrame frame, out PairForm form)
+    public static void Classify<TA, TB>(ref TA a, ref TB b, in PairFrame frame, out PairForm form)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -159,7 +159,7 @@ internal readonly struct WayOut(in Double3 across, in Double3 axis, double slope
     /// <summary>The same plane, turned about its axis.</summary>
     public WayOut Turned(double angle)
     {
-        SineCosine.Of(angle, out double sine, out double cosine);
+        SineCosine.Compute(angle, out double sine, out double cosine);
         return new WayOut(Across * cosine + Double3.Cross(Axis, Across) * sine, Axis, Slope, _leanA, _leanB);
     }
 

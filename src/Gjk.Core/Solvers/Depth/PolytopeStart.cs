@@ -53,7 +53,7 @@ internal static unsafe class PolytopeStart<TA, TB>
         state.Iterations++;
         DifferenceVertex* vertex = polytope.Add(out int added);
         int ids = MinkowskiDifference.Support(ref a, ref b, frame, -direction, ref *vertex, out _);
-        if (state.Matters<TA, TB>(ids)) state.See(frame, *vertex);
+        if (state.ChangesTolerances<TA, TB>(ids)) state.Observe(frame, *vertex);
         return added;
     }
 
@@ -109,7 +109,7 @@ internal static unsafe class PolytopeStart<TA, TB>
         ref DepthBounds depth)
     {
         int added = Support(ref a, ref b, frame, unit, ref state, ref polytope);
-        depth.See(unit, Double3.Dot(unit, polytope.Vertex(added).W));
+        depth.TightenUpper(unit, Double3.Dot(unit, polytope.Vertex(added).W));
         return added;
     }
 

@@ -28,7 +28,7 @@ internal static class SignedSolver<TA, TB, TTrace>
         if (frame.Margins == 0 && (trace.IsOn || !Proofs.AreBallsApart(frame)))
             SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
-        if (isWarm) warmStart.Keep(state);
+        if (isWarm) warmStart.Save(state);
         NoTrace untold = default;
         SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref untold);
     }
@@ -95,10 +95,10 @@ internal static class SignedSolver<TA, TB, TTrace>
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
     {
         var verdict = Verdict.Undecided;
-        if (frame.Margins == 0 && ShapeTraits<TA>.Of.GetPlain(ref a, out Double3 halfA) == FormKind.Box
-            && ShapeTraits<TB>.Of.GetPlain(ref b, out Double3 halfB) == FormKind.Box)
+        if (frame.Margins == 0 && ShapeTraits<TA>.Instance.GetPlain(ref a, out Double3 halfA) == FormKind.Box
+            && ShapeTraits<TB>.Instance.GetPlain(ref b, out Double3 halfB) == FormKind.Box)
         {
-            if (trace.IsOn) Tell(ref a, ref b, frame, state, ref trace);
+            if (trace.IsOn) TraceSearch(ref a, ref b, frame, state, ref trace);
             verdict = BoxDepth.Solve(halfA, halfB, frame, ref state);
         }
         else if (MayBeRound(ref a) && MayBeRound(ref b))
@@ -119,9 +119,9 @@ internal static class SignedSolver<TA, TB, TTrace>
     private static Verdict SolveRound(
         ref TA a, ref TB b, in PairFrame frame, ref SolverState state, ref TTrace trace)
     {
-        PairForm.Look(ref a, ref b, frame, out PairForm form);
+        PairForm.Classify(ref a, ref b, frame, out PairForm form);
         return trace.IsOn
-            ? TellRound(ref a, ref b, frame, form, ref state, ref trace)
+            ? TraceRound(ref a, ref b, frame, form, ref state, ref trace)
             : SolveRound(ref a, ref b, frame, form, ref state);
     }
 
@@ -132,12 +132,12 @@ internal static class SignedSolver<TA, TB, TTrace>
             : CylinderDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static Verdict TellRound(
+    private static Verdict TraceRound(
         ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref SolverState state, ref TTrace trace)
     {
         SolverState before = state;
         Verdict verdict = SolveRound(ref a, ref b, frame, form, ref state);
-        if (verdict != Verdict.Undecided) Tell(ref a, ref b, frame, before, ref trace);
+        if (verdict != Verdict.Undecided) TraceSearch(ref a, ref b, frame, before, ref trace);
         return verdict;
     }
 
@@ -145,7 +145,7 @@ internal static class SignedSolver<TA, TB, TTrace>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static Verdict SolveLarge(ref TA a, ref TB b, in PairFrame frame, ref SolverState state)
     {
-        PairForm.Look(ref a, ref b, frame, out PairForm form);
+        PairForm.Classify(ref a, ref b, frame, out PairForm form);
         if (form.AreFaceted) return HullDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
         if (form.Way.Slope > 0)
         {
@@ -156,7 +156,7 @@ internal static class SignedSolver<TA, TB, TTrace>
         Verdict verdict = CornerDepth<TA, TB>.Solve(ref a, ref b, frame, form, ref state);
         if (verdict == Verdict.Undecided) verdict = DepthCells<TA, TB>.Solve(ref a, ref b, frame, ref state);
         if (state.IsCurved && verdict == Verdict.Enclosed
-            && SmoothNormal<TA, TB>.TryEnd(ref a, ref b, frame, DepthBounds.Of(state), ref state))
+            && SmoothNormal<TA, TB>.TryEnd(ref a, ref b, frame, DepthBounds.FromState(state), ref state))
             state.Weights = ClosestPointWeights.Of(state.Simplex);
         return verdict;
     }
@@ -166,11 +166,11 @@ internal static class SignedSolver<TA, TB, TTrace>
     private static bool MayBeRound<T>(ref T shape)
         where T : struct, ISupportMap =>
         typeof(T) != typeof(HullCore) && typeof(T) != typeof(BoxCore)
-        && ShapeTraits<T>.Of.GetPlain(ref shape, out _) is not (FormKind.Hull or FormKind.Box);
+        && ShapeTraits<T>.Instance.GetPlain(ref shape, out _) is not (FormKind.Hull or FormKind.Box);
 
     /// <summary>Other searches have no surface to tell of, so one is grown for the trace alone.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Tell(ref TA a, ref TB b, in PairFrame frame, in SolverState begin, ref TTrace trace)
+    private static void TraceSearch(ref TA a, ref TB b, in PairFrame frame, in SolverState begin, ref TTrace trace)
     {
         SolverState state = begin;
         GjkDepth<TA, TB, TTrace>.Solve(ref a, ref b, frame, ref state, ref trace);
@@ -181,7 +181,7 @@ internal static class SignedSolver<TA, TB, TTrace>
         ref TA a, ref TB b, in PairFrame frame, in WarmStart warmStart, bool isWarm, ref SolverState state)
     {
         state.Simplex.Clear();
-        if (isWarm) warmStart.Begin(ref a, ref b, frame, ref state);
+        if (isWarm) warmStart.Seed(ref a, ref b, frame, ref state);
         else state.Feature.Normal = frame.FirstNormal;
     }
 

@@ -18,7 +18,7 @@ internal static class SmoothNormal<TA, TB>
     /// <summary>Radians: half of what the normal is turned by for a difference. Its square is what the difference may
     /// be off by, and what rounding does to supports is a part of 1e-11 of it. Four times more or less takes as many
     /// steps.</summary>
-    private const double Turn = 1e-5;
+    private const double DifferenceAngle = 1e-5;
 
     /// <summary>Length: a way out that bends less has no sharp direction; rounding would turn it by more than is
     /// promised. Four times more or less changes which search ends it.</summary>
@@ -47,7 +47,7 @@ internal static class SmoothNormal<TA, TB>
     {
         double size = state.Size.Value, length = 1;
         Double3 normal = known.Normal;
-        Uncleared.Begin(out DifferenceVertex end);
+        UnsafeRef.SkipInit(out DifferenceVertex end);
         Double3 w = Support(ref a, ref b, frame, normal, ref state, ref end);
         for (int steps = 0; length > LastStep; steps++)
         {
@@ -70,7 +70,7 @@ internal static class SmoothNormal<TA, TB>
         }
 
         double cost = Double3.Dot(normal, w);
-        if (!(cost <= known.Above + GjkTolerances.Noise * size)) return false;
+        if (!(cost <= known.Upper + GjkTolerances.Noise * size)) return false;
         if (!((w - normal * cost).Length <= Beside * size)) return false;
         state.Simplex.At(0) = end;
         state.Simplex.Select(1, 0, 0, 0, 0);
@@ -83,8 +83,9 @@ internal static class SmoothNormal<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, in Double3 normal, in Double3 across, ref SolverState state,
         ref DifferenceVertex end)
     {
-        Double3 after = Support(ref a, ref b, frame, normal + across * Turn, ref state, ref end);
-        return (after - Support(ref a, ref b, frame, normal - across * Turn, ref state, ref end)) * (0.5 / Turn);
+        Double3 step = across * DifferenceAngle;
+        Double3 after = Support(ref a, ref b, frame, normal + step, ref state, ref end);
+        return (after - Support(ref a, ref b, frame, normal - step, ref state, ref end)) * (0.5 / DifferenceAngle);
     }
 
     private static Double3 Support(

@@ -151,7 +151,7 @@ internal static class AdvancementSolver<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, ref WarmStart warmStart, ref Impact impact, out SolverState state,
         out double gap)
     {
-        SolverState.Begin<TA, TB>(frame, out state);
+        SolverState.Make<TA, TB>(frame, out state);
         NoTrace trace = default;
         if (frame.ArePoints)
         {
@@ -159,9 +159,9 @@ internal static class AdvancementSolver<TA, TB>
         }
         else
         {
-            warmStart.Begin(ref a, ref b, frame, ref state);
+            warmStart.Seed(ref a, ref b, frame, ref state);
             ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
-            warmStart.Keep(state);
+            warmStart.Save(state);
             SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref trace);
         }
 
@@ -196,7 +196,7 @@ internal struct Impact
     /// accepted. The rest is left for rounding the fraction to a float. Pinned by ImpactToleranceTests.</summary>
     public const double FloorRatio = 1.0 / 64, MostAccepted = 1.0 / 2, LeastAccepted = 1.0 / 8;
 
-    /// <summary>Enclosed where the shapes come within the tolerance, Apart where they do not.</summary>
+    /// <summary>Hit where the shapes come within the tolerance, Miss where they do not.</summary>
     public MotionVerdict Outcome;
 
     /// <summary>Up to here they are apart.</summary>

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>What a solver can say about two cores that move. The numbers are those of <see cref="Verdict"/>, whose
-/// distance at one fraction says what the whole motion is known to be so far.</summary>
+/// <summary>What a solver can say about two cores that move. The numbers are those of <see cref="Verdict"/>, so the
+/// verdict on the distance at one fraction can be cast to the verdict on the motion so far.</summary>
 internal enum MotionVerdict : byte
 {
     /// <summary>The search ended at its limit; up to the fraction there is no contact.</summary>
@@ -23,7 +23,7 @@ internal enum MotionVerdict : byte
 /// <summary>What a cast found.</summary>
 internal struct CastFinding
 {
-    /// <summary>Whether the shapes touch.</summary>
+    /// <summary>How the search ended.</summary>
     public MotionVerdict Outcome;
 
     /// <summary>Up to here they are apart.</summary>

@@ -35,7 +35,7 @@ internal struct CastJump
     private bool _isJump;
 
     /// <summary>Begins at the start, or where the bounding balls begin to overlap.</summary>
-    public static void Begin(in CastLine line, double most, out CastJump place)
+    public static void Make(in CastLine line, double most, out CastJump place)
     {
         place = default;
         place._start = -line.Middle * line.Speed;
@@ -132,7 +132,8 @@ internal struct CastJump
             return nearest - Math.Sqrt(radius * radius - (corner - axis * nearest).LengthSquared);
         }
 
-        // Seen along the edge, it is a circle and the line has this length for each of its own.
+        // Project along the edge: the cylinder becomes a circle. Solve |p + t u| = r; the projection shortens the line
+        // by this factor.
         Double3 edge = state.Simplex.WB - corner, across = Double3.Cross(edge, axis);
         double lengthSquared = edge.LengthSquared, speedSquared = across.LengthSquared / lengthSquared;
         double middle = Double3.Dot(Double3.Cross(edge, corner), across) / lengthSquared;

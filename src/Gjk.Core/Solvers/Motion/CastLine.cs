@@ -35,8 +35,8 @@ internal struct CastLine
     /// <param name="frame">The pair at the start.</param>
     /// <param name="motion">Of B, in A's frame, for the fraction 1.</param>
     /// <param name="line">The line, where there is one and the balls meet.</param>
-    /// <returns>Enclosed where the bounding balls overlap somewhere on it, Apart where they do not. Undecided where
-    /// there is no motion; the line then is a point, the start.</returns>
+    /// <returns>Hit where the bounding balls overlap somewhere on the line, Miss where they do not. Undecided where
+    /// there is no motion: the line is a point then, the start.</returns>
     public static MotionVerdict Make(in PairFrame frame, in Double3 motion, out CastLine line)
     {
         line = default;

@@ -31,13 +31,13 @@ internal static class CastNormal<TA, TB>
         Double3 contact = frame.Translation;
         double known = GapAlong(ref a, ref b, frame, cast.Normal, ref state.Simplex, ref cast);
         if (frame.Margins == 0) frame.Translation += cast.Normal * (Retreat * frame.Radius);
-        FeatureVertices.Begin(out FeatureVertices vertices);
+        FeatureVertices.Make(out FeatureVertices vertices);
         ClosestFeature feature = Walk(ref a, ref b, frame, ref vertices, ref state.Simplex, ref cast);
         double length = Math.Sqrt(feature.NormalSquared);
         if (!(length > 0)) return known;
         Double3 normal = feature.Normal * (-1 / length);
         state.Simplex.Select(vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
-        Double3 onA = state.Simplex.MeanOnA(ClosestPointWeights.Of(state.Simplex));
+        Double3 onA = state.Simplex.WitnessOnA(ClosestPointWeights.Of(state.Simplex));
         frame.Translation = contact;
         double slope = -Double3.Dot(normal, line.Axis);
         double gap = GapAlong(ref a, ref b, frame, normal, ref state.Simplex, ref cast);

@@ -42,7 +42,7 @@ internal static class CastPortal
     private const double LeastSlope = 1e-5;
 
     /// <summary>Whether the cores are polytopes that can be trusted to be.</summary>
-    public static bool Takes<TA, TB>(in PairFrame frame)
+    public static bool AppliesTo<TA, TB>(in PairFrame frame)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap =>
         ShapeTraits<TA>.AreTight && ShapeTraits<TB>.AreTight && frame.Margins == 0;
@@ -64,7 +64,7 @@ internal static class CastPortal
     {
         // A start behind the middle, or so near it, hits nothing or is inside.
         if (!(line.Middle > 0)) return MotionVerdict.Undecided;
-        FeatureVertices.Begin(out FeatureVertices portal);
+        FeatureVertices.Make(out FeatureVertices portal);
         MotionVerdict verdict = Enclose(
             ref a, ref b, frame, line, ref portal, ref cast, ref state.Simplex, out double turn);
         if (verdict != MotionVerdict.Hit) return verdict;

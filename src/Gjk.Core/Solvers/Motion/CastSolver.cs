@@ -72,14 +72,14 @@ internal static class CastSolver
             return;
         }
 
-        SolverState.Begin<TA, TB>(frame, out SolverState state);
+        SolverState.Make<TA, TB>(frame, out SolverState state);
 
         // A pair that begins near each other often overlaps or parts, which a distance tells at once.
-        CastJump.Begin(line, most, out CastJump place);
-        bool isPolytope = CastPortal.Takes<TA, TB>(frame);
+        CastJump.Make(line, most, out CastJump place);
+        bool isPolytope = CastPortal.AppliesTo<TA, TB>(frame);
         if (place.IsPastStart && isPolytope && TryPortal(ref a, ref b, ref frame, line, most, ref cast, ref state))
             return;
-        warmStart.Begin(ref a, ref b, frame, ref state);
+        warmStart.Seed(ref a, ref b, frame, ref state);
         bool isAfterPortal = place.IsPastStart | !isPolytope;
         if (place.IsPastStart) StartLater(line, place, ref frame, ref cast, ref state);
         for (int rounds = 0; rounds < MaxRounds; rounds++)
@@ -90,9 +90,9 @@ internal static class CastSolver
             if (state.Verdict == Verdict.Contradiction || state.Verdict == Verdict.Undecided) break;
             if (place.TryEnd(state, frame, line, JumpGap * frame.Radius, ref cast))
             {
-                warmStart.Keep(state);
+                warmStart.Save(state);
                 if (cast.Outcome == MotionVerdict.Miss) return;
-                cast.OnA = state.Simplex.MeanOnA(state.Weights);
+                cast.OnA = state.Simplex.WitnessOnA(state.Weights);
                 if (cast.Fraction == 0) cast.OnA += ToCommon(state, frame);
                 else if (state.IsCurved) CastNormal<TA, TB>.Sharpen(ref a, ref b, ref frame, line, ref state, ref cast);
                 return;
@@ -101,20 +101,20 @@ internal static class CastSolver
             if (!isAfterPortal)
             {
                 isAfterPortal = true;
-                warmStart.Keep(state);
+                warmStart.Save(state);
                 Double3 normal = cast.Normal;
                 if (TryPortal(ref a, ref b, ref frame, line, most, ref cast, ref state)) return;
                 cast.Normal = normal;
-                warmStart.Begin(ref a, ref b, frame, ref state);
+                warmStart.Seed(ref a, ref b, frame, ref state);
             }
 
             frame.Translation = line.At(place.Along);
-            MinkowskiDifference.Move(frame, ref state.Simplex);
+            MinkowskiDifference.Retranslate(frame, ref state.Simplex);
             cast.Outcome = MotionVerdict.Undecided;
         }
 
         cast.Fraction = place.FractionOf(line, place.Left);
-        warmStart.Keep(state);
+        warmStart.Save(state);
     }
 
     /// <summary>Looks for the entry by vertices alone; leaves the frame as it was where that tells nothing.</summary>
@@ -127,7 +127,7 @@ internal static class CastSolver
         Double3 before = frame.Translation;
         frame.Translation = line.Nearest;
         cast.Outcome = CastPortal.Solve(ref a, ref b, frame, line, most, ref cast, ref state);
-        if (cast.Outcome == MotionVerdict.Hit) cast.OnA = state.Simplex.MeanOnA(state.Weights);
+        if (cast.Outcome == MotionVerdict.Hit) cast.OnA = state.Simplex.WitnessOnA(state.Weights);
         if (cast.Outcome != MotionVerdict.Undecided) return true;
         frame.Translation = before;
         cast.Fraction = 0;
@@ -141,7 +141,7 @@ internal static class CastSolver
     {
         frame.Translation = line.At(place.Along);
         cast.Normal = frame.Translation * (1 / frame.Translation.Length);
-        MinkowskiDifference.Move(frame, ref state.Simplex);
+        MinkowskiDifference.Retranslate(frame, ref state.Simplex);
     }
 
     /// <summary>From A's core to a point of both shapes at the start: where only the margins overlap, it lies between

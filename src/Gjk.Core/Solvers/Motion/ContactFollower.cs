@@ -13,9 +13,9 @@ namespace Gjk.Core;
 /// <para>A contact ends where the plane proves a gap of twice the tolerance. It is looked for before each step, four
 /// times further each time, since a body may leave, turn, and come back with its other end within one step.</para>
 /// <para>It terminates as the advancement does: what is allowed is several floors.</para>
-/// <para>Verdicts. Hit: it gets deeper. Beyond: it ends at the fraction, and the bodies are apart there. Miss: neither,
-/// up to the end. Undecided: the steps ran out; it is no deeper up to the fraction. Contradiction: as the signed
-/// distance has it.</para>
+/// <para>Verdicts. Hit: the contact gets deeper than is allowed. Over: it ends at the fraction, and the bodies are
+/// apart there. Miss: neither, up to the end. Undecided: the steps ran out; up to the fraction it is no deeper.
+/// Contradiction: that of the signed distance.</para>
 /// </remarks>
 internal static class ContactFollower<TA, TB>
     where TA : struct, ISupportMap
@@ -133,7 +133,7 @@ internal static class ContactFollower<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, in TurningPlane plane, double fraction, double least,
         out SolverState state, out double gap)
     {
-        SolverState.Begin<TA, TB>(frame, out state);
+        SolverState.Make<TA, TB>(frame, out state);
         state.Feature.Normal = plane.NormalAt(frame, fraction);
         state.Feature.NormalSquared = state.Feature.Normal.LengthSquared;
         MinkowskiDifference.Support(ref a, ref b, frame, state.Feature.Normal, ref state.Simplex.At(0), out Double3 w);
@@ -147,7 +147,7 @@ internal static class ContactFollower<TA, TB>
     private static bool TryMeasure(
         ref TA a, ref TB b, in PairFrame frame, ref Impact impact, out SolverState state, out double gap)
     {
-        SolverState.Begin<TA, TB>(frame, out state);
+        SolverState.Make<TA, TB>(frame, out state);
         WarmStart unused = default;
         NoPolytopeTrace trace = default;
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state, isSigned: true);

@@ -32,7 +32,7 @@ internal static class CurvedTouch<TA, TB>
         ref TA a, ref TB b, in PairFrame frame, in SolverState state, out CastFinding touch)
     {
         touch = default;
-        return TryLook(ref a, ref b, frame, state, ref touch, out double gap)
+        return TryMeasureGap(ref a, ref b, frame, state, ref touch, out double gap)
             && gap >= -GjkTolerances.TouchCurved * state.Size.Value;
     }
 
@@ -45,7 +45,7 @@ internal static class CurvedTouch<TA, TB>
     /// <param name="gap">The gap between the planes across the normal, in solver units: at most the signed distance,
     /// and sharp where the normal is that of the shortest way out.</param>
     /// <returns>False where they are deeper.</returns>
-    public static bool TryLook(
+    public static bool TryMeasureGap(
         ref TA a, ref TB b, in PairFrame frame, in SolverState state, ref CastFinding touch, out double gap)
     {
         gap = double.NegativeInfinity;
@@ -57,14 +57,14 @@ internal static class CurvedTouch<TA, TB>
         for (int look = 0; look < MaxLooks && !(gap >= -GjkTolerances.TouchCurved * size); look++)
         {
             moved.Translation = frame.Translation + touch.Normal * (Retreat * size);
-            SolverState.Begin<TA, TB>(moved, out SolverState apart);
+            SolverState.Make<TA, TB>(moved, out SolverState apart);
             apart.Feature.Normal = moved.FirstNormal;
             ProvedDistance.Solve(ref a, ref b, moved, double.PositiveInfinity, false, ref apart, ref trace);
             SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, moved, ref apart, ref trace);
             touch.Iterations += apart.Iterations;
             if (apart.Verdict != Verdict.Apart) return false;
             touch.Normal = apart.Plane.Normal * (-1 / Math.Sqrt(apart.Plane.NormalSquared));
-            touch.OnA = apart.Simplex.MeanOnA(apart.Weights);
+            touch.OnA = apart.Simplex.WitnessOnA(apart.Weights);
             CastLine outward = default;
             outward.Axis = -touch.Normal;
             moved.Translation = frame.Translation;

@@ -29,26 +29,27 @@ internal static class DeepeningSolver<TA, TB>
     /// <param name="b">The second one.</param>
     /// <param name="frame">The pair at the fraction 0; its translation is moved.</param>
     /// <param name="motion">Of B, seen from A, in A's frame, for the fraction 1.</param>
-    /// <param name="part">From where on, to where, and what is allowed, in solver units.</param>
+    /// <param name="range">From where on, to where, and what is allowed, in solver units.</param>
     /// <param name="iterations">Support calls made on each shape are added.</param>
     public static MotionVerdict Solve(
-        ref TA a, ref TB b, ref PairFrame frame, in Double3 motion, in DeepeningPart part, ref int iterations)
+        ref TA a, ref TB b, ref PairFrame frame, in Double3 motion, in DeepeningRange range, ref int iterations)
     {
         if (CastLine.Make(frame, motion, out CastLine line) != MotionVerdict.Hit) return MotionVerdict.Miss;
-        double begin = (part.From - line.Middle) * line.Speed, end = (part.To - line.Middle) * line.Speed;
+        double begin = (range.From - line.Middle) * line.Speed, end = (range.To - line.Middle) * line.Speed;
 
         // A fraction that is no float stands for where the bounding balls meet.
-        if (float.IsInfinity((float)part.From)) begin = -line.HalfChord;
-        if (part.From > 0) frame.Translation = line.At(begin);
-        bool isSharp = part.Slope == 0;
-        if (!TryLook(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out DepthLook look))
+        if (float.IsInfinity((float)range.From)) begin = -line.HalfChord;
+        if (range.From > 0) frame.Translation = line.At(begin);
+        bool isSharp = range.Slope == 0;
+        if (!TryProbe(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out DepthProbe probe))
             return MotionVerdict.Contradiction;
-        double limit = look.Touch + look.Noise + line.Error + Math.Max(part.Allowed, part.From > 0 ? 0 : -look.Most);
-        var left = new DepthCut(begin, look.Least, look.Slope + part.Slope);
-        if (look.Most < -limit) return MotionVerdict.Hit;
+        double allowed = Math.Max(range.Allowed, range.From > 0 ? 0 : -probe.Most);
+        double limit = probe.Touch + probe.Noise + line.Error + allowed;
+        var left = new DepthCut(begin, probe.Least, probe.Slope + range.Slope);
+        if (probe.Most < -limit) return MotionVerdict.Hit;
         if (left.Slope >= 0 || !(end > begin)) return MotionVerdict.Miss;
         bool isCut = end < line.HalfChord;
-        DepthCut right = isCut ? default : AtExit(line, begin, part.Slope);
+        DepthCut right = isCut ? default : AtExit(line, begin, range.Slope);
         double along = end;
         for (int rounds = 0; rounds < MaxRounds; rounds++)
         {
@@ -59,13 +60,13 @@ internal static class DeepeningSolver<TA, TB>
             }
 
             frame.Translation = line.At(along);
-            if (!TryLook(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out look))
+            if (!TryProbe(ref a, ref b, frame, line.Axis, isSharp, ref iterations, out probe))
                 return MotionVerdict.Contradiction;
-            double added = part.Slope * (along - begin);
-            if (look.Most + added < -limit - look.Noise) return MotionVerdict.Hit;
-            var cut = new DepthCut(along, look.Least + added, look.Slope + part.Slope);
+            double added = range.Slope * (along - begin);
+            if (probe.Most + added < -limit - probe.Noise) return MotionVerdict.Hit;
+            var cut = new DepthCut(along, probe.Least + added, probe.Slope + range.Slope);
             double known = left.At(along);
-            if (rounds > 0 && look.Most + added - known <= 2 * look.Noise) return MotionVerdict.Miss;
+            if (rounds > 0 && probe.Most + added - known <= 2 * probe.Noise) return MotionVerdict.Miss;
             if (cut.Slope >= 0) right = cut;
             else if (along == end) return MotionVerdict.Miss;
             else left = cut;
@@ -83,36 +84,36 @@ internal static class DeepeningSolver<TA, TB>
     }
 
     /// <summary>The signed distance where B is now, and the plane that bounds it.</summary>
-    private static bool TryLook(
+    private static bool TryProbe(
         ref TA a, ref TB b, in PairFrame frame, in Double3 axis, bool isSharp, ref int iterations,
-        out DepthLook look)
+        out DepthProbe probe)
     {
-        SolverState.Begin<TA, TB>(frame, out SolverState state);
+        SolverState.Make<TA, TB>(frame, out SolverState state);
         WarmStart unused = default;
         NoPolytopeTrace trace = default;
         if (frame.ArePoints) GjkDistance.SolvePoints(frame, ref state);
         else SignedSolver<TA, TB, NoPolytopeTrace>.Solve(ref a, ref b, frame, ref unused, false, ref state, ref trace);
         iterations += state.Iterations;
-        look = default;
+        probe = default;
         if (state.Verdict == Verdict.Contradiction) return false;
-        look.Touch = GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
-        look.Noise = state.DepthNoise;
+        probe.Touch = GjkTolerances.TouchOf(state.IsCurved) * state.Size.Value;
+        probe.Noise = state.DepthNoise;
         double scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
         double planeScale = 1 / Math.Sqrt(state.Plane.NormalSquared);
-        look.Most = state.Feature.Height * scale - frame.Margins;
-        look.Least = Math.Min(state.Plane.Value * planeScale - frame.Margins, look.Most);
-        look.Slope = -Double3.Dot(state.Plane.Normal, axis) * planeScale;
+        probe.Most = state.Feature.Height * scale - frame.Margins;
+        probe.Least = Math.Min(state.Plane.Value * planeScale - frame.Margins, probe.Most);
+        probe.Slope = -Double3.Dot(state.Plane.Normal, axis) * planeScale;
         if (state.Verdict == Verdict.Enclosed)
         {
             // Centres that coincide: every direction is as good as the others, also the one ahead.
-            look.Most = look.Least = -frame.Margins;
-            look.Slope = 1;
+            probe.Most = probe.Least = -frame.Margins;
+            probe.Slope = 1;
         }
 
         // A depth that was searched without room enough may be as much as it is at most.
-        if (state.Verdict == Verdict.Undecided) look.Most = look.Least;
+        if (state.Verdict == Verdict.Undecided) probe.Most = probe.Least;
         if (isSharp && state.IsCurved && state.Verdict == Verdict.Apart)
-            Sharpen(ref a, ref b, frame, axis, state, ref iterations, ref look);
+            Sharpen(ref a, ref b, frame, axis, state, ref iterations, ref probe);
         return true;
     }
 
@@ -120,23 +121,23 @@ internal static class DeepeningSolver<TA, TB>
     /// touching is looked at from outside. Where a slope is allowed, it is more than all that.</summary>
     private static void Sharpen(
         ref TA a, ref TB b, in PairFrame frame, in Double3 axis, in SolverState state, ref int iterations,
-        ref DepthLook look)
+        ref DepthProbe probe)
     {
         CastFinding touch = default;
-        bool isSharp = look.Most > look.Touch;
-        if (!isSharp && CurvedTouch<TA, TB>.TryLook(ref a, ref b, frame, state, ref touch, out double gap))
+        bool isSharp = probe.Most > probe.Touch;
+        if (!isSharp && CurvedTouch<TA, TB>.TryMeasureGap(ref a, ref b, frame, state, ref touch, out double gap))
         {
-            look.Most = look.Least = Math.Max(gap, look.Least);
-            look.Slope = Double3.Dot(touch.Normal, axis);
+            probe.Most = probe.Least = Math.Max(gap, probe.Least);
+            probe.Slope = Double3.Dot(touch.Normal, axis);
             isSharp = true;
         }
 
-        if (isSharp) look.Noise = GjkTolerances.NoiseCurved * state.Size.Value;
+        if (isSharp) probe.Noise = GjkTolerances.NoiseCurved * state.Size.Value;
         iterations += touch.Iterations;
     }
 
     /// <summary>What was seen at a place of the line.</summary>
-    private struct DepthLook
+    private struct DepthProbe
     {
         /// <summary>Bounds of the signed distance, and how the lower one changes along the line.</summary>
         public double Most, Least, Slope;
@@ -147,7 +148,7 @@ internal static class DeepeningSolver<TA, TB>
 }
 
 /// <summary>A part of a line, and how deep shapes may get there. Lengths in solver units.</summary>
-internal readonly struct DeepeningPart(double from, double to, double allowed, double slope)
+internal readonly struct DeepeningRange(double from, double to, double allowed, double slope)
 {
     /// <summary>The fractions; from 0 on the shapes may be as deep as they are there.</summary>
     public readonly double From = from, To = to;

@@ -34,8 +34,8 @@ internal readonly struct MovingCorners
         : this()
     {
         Normal = normal;
-        TurnA = frame.RotationA.InverseRotate(motion.A.Turn);
-        TurnB = frame.RotationA.InverseRotate(motion.B.Turn);
+        TurnA = frame.RotationA.InverseRotate(motion.A.AngularVelocity);
+        TurnB = frame.RotationA.InverseRotate(motion.B.AngularVelocity);
         _velocity = frame.RotationA.InverseRotate(motion.Velocity);
         _between = frame.RotationA.InverseRotate(motion.Between(start));
         _betweenAtEnd = _between + _velocity * (end - start);
@@ -81,7 +81,7 @@ internal readonly struct MovingCorners
     /// · (eA × n) - wB · (eB × n).</summary>
     /// <param name="size">The pair's.</param>
     /// <returns>The shortest one; 0 where the corners do not ask for any.</returns>
-    public Double3 Level(double size)
+    public Double3 LevelRate(double size)
     {
         Double3 a = _a1 - _a0, b = _b1 - _b0, first = a - b;
         double rate = Double3.Dot(TurnA, a) - Double3.Dot(TurnB, b), least = LeastEdge * size;

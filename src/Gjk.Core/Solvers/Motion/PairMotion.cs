@@ -28,10 +28,10 @@ internal struct PairMotion
     /// <param name="motionB">B's.</param>
     /// <param name="frame">The pair at the start.</param>
     /// <param name="motion">Gets the pair's motion.</param>
-    public static void Begin(in RigidMotion motionA, in RigidMotion motionB, in PairFrame frame, out PairMotion motion)
+    public static void Make(in RigidMotion motionA, in RigidMotion motionB, in PairFrame frame, out PairMotion motion)
     {
-        TurningBody.Begin(motionA, frame.TurnOfA, frame.CenterA, frame.RadiusA - frame.MarginA, out motion.A);
-        TurningBody.Begin(motionB, frame.TurnOfB, frame.CenterB, frame.RadiusB - frame.MarginB, out motion.B);
+        TurningBody.Make(motionA, frame.TurnOfA, frame.CenterA, frame.RadiusA - frame.MarginA, out motion.A);
+        TurningBody.Make(motionB, frame.TurnOfB, frame.CenterB, frame.RadiusB - frame.MarginB, out motion.B);
         motion.Start = frame.RotationA.Rotate(
             frame.Translation + motion.A.Offset - frame.Rotation.Rotate(motion.B.Offset));
         motion.Velocity = (Double3)motionB.Velocity - motionA.Velocity;

@@ -7,7 +7,7 @@ namespace Gjk.Core;
 internal struct TurningBody
 {
     /// <summary>Radians per fraction 1, about the axes of the world.</summary>
-    public Double3 Turn;
+    public Double3 AngularVelocity;
 
     /// <summary>From the pivot to the centre, in the body's axes.</summary>
     public Double3 Offset;
@@ -34,14 +34,14 @@ internal struct TurningBody
     /// <summary>Radians per fraction 1.</summary>
     public readonly double Rate => _rate;
 
-    public static void Begin(
+    public static void Make(
         in RigidMotion motion, in QuaternionD? core, in Double3 center, double coreRadius, out TurningBody body)
     {
         body._start = core is null ? motion.Pose.Rotation : motion.Pose.Rotation * core.Value;
         body.Scale = 2 / body._start.LengthSquared;
-        body.Turn = motion.AngularVelocity;
-        body._rate = body.Turn.Length;
-        body._axis = body._rate > 0 ? body.Turn * (1 / body._rate) : default;
+        body.AngularVelocity = motion.AngularVelocity;
+        body._rate = body.AngularVelocity.Length;
+        body._axis = body._rate > 0 ? body.AngularVelocity * (1 / body._rate) : default;
         body.Offset = body._rate > 0 ? center : default;
         body.Reach = body.ReachAcross = body._most = body._least = body.Offset.Length + coreRadius;
     }
@@ -75,12 +75,12 @@ internal struct TurningBody
         double furthest = 0, half = Math.PI / directions;
         for (int i = 0; i < directions; i++)
         {
-            SineCosine.Of(2 * half * i, out double sine, out double cosine);
+            SineCosine.Compute(2 * half * i, out double sine, out double cosine);
             furthest = Math.Max(furthest, Along(ref shape, across.U * cosine + across.V * sine));
         }
 
         // No point is more than half of the angle between two directions away from one of them.
-        SineCosine.Of(half, out _, out double nearest);
+        SineCosine.Compute(half, out _, out double nearest);
         ReachAcross = Math.Min(ReachAcross, furthest / nearest);
     }
 

@@ -56,7 +56,7 @@ internal struct TurningPlane
         plane.Step = -1;
         double above = Math.Max(plane.Gap - aim, 0);
         Double3 best = default;
-        bool isNewton = corners.Count > 1 && plane.Try(corners, corners.Level(state.Size.Value), above, ref best);
+        bool isNewton = corners.Count > 1 && plane.Try(corners, corners.LevelRate(state.Size.Value), above, ref best);
         if (!isNewton) isNewton = plane.Try(corners, default, above, ref best);
         if (!isNewton && motion.A.IsTurning) isNewton = plane.Try(corners, corners.TurnA, above, ref best);
         if (!isNewton && motion.B.IsTurning) plane.Try(corners, corners.TurnB, above, ref best);

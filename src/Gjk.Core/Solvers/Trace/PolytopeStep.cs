@@ -67,7 +67,7 @@ public readonly ref struct PolytopeStep
     {
         if (LowestFace < 0 || face >= _polytope.FaceCount) return -1;
         for (int next = Math.Max(face, -1) + 1; next < _polytope.FaceCount; next++)
-            if (_polytope.IsThere(next)) return next;
+            if (_polytope.IsLive(next)) return next;
         return -1;
     }
 
@@ -75,7 +75,7 @@ public readonly ref struct PolytopeStep
     /// <param name="face">Its number, as <see cref="NextFace"/> gives it.</param>
     /// <exception cref="ArgumentOutOfRangeException">The surface has no such face.</exception>
     public TracedFace Face(int face) =>
-        face >= 0 && LowestFace >= 0 && face < _polytope.FaceCount && _polytope.IsThere(face)
+        face >= 0 && LowestFace >= 0 && face < _polytope.FaceCount && _polytope.IsLive(face)
             ? new TracedFace(_polytope.Face(face), _axes)
             : throw new ArgumentOutOfRangeException(nameof(face), face, "There is no such face.");
 

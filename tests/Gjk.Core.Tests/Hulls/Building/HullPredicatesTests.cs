@@ -63,7 +63,7 @@ public class HullPredicatesTests
             for (int axis = 0; axis < 3; axis++)
             {
                 int expected = HullOracle.Normal(p[0], p[1], p[2])[axis].Sign;
-                int turn = predicates.Turn(0, 1, 2, (axis + 1) % 3, (axis + 2) % 3);
+                int turn = predicates.Orientation(0, 1, 2, (axis + 1) % 3, (axis + 2) % 3);
                 string where = $"{family}, seed {seed}, triple {i}, axis {axis}: {string.Join(" ", p)}";
                 Assert.True(expected == turn, $"{where}: {turn} instead of {expected}");
             }

@@ -24,8 +24,8 @@ const DECORATORS = {
 };
 
 /**
- * A shape's words as an expression, or null where it is too long to write out, or where a scale made numbers that no
- * float can hold.
+ * A shape's words as an expression, or null where it is too long to write out, where a scale made numbers that no
+ * float can hold, or where the kind is none of those here (a half-space).
  */
 export function shapeCode(words) {
   const [kind, ...rest] = words.split(' ');
@@ -33,7 +33,8 @@ export function shapeCode(words) {
   const own = (end < 0 ? rest : rest.slice(0, end)).map(Number);
   if (kind === 'mesh' && own[0] > MOST_CORNERS) return null;
   if (rest.some((word) => !'*+>'.includes(word) && Math.fround(word) !== Number(word))) return null;
-  return coreCode(kind, own) + (end < 0 ? '' : decorations(rest.slice(end)));
+  const core = coreCode(kind, own);
+  return core && core + (end < 0 ? '' : decorations(rest.slice(end)));
 }
 
 function coreCode(kind, n) {
@@ -47,7 +48,8 @@ function coreCode(kind, n) {
     case 'cylinder': return `ConvexShape.Cylinder(${list(a.slice(0, 2))})`;
     case 'cone': return `ConvexShape.Cone(${list(a.slice(0, 2))})`;
     case 'taperedcapsule': return `ConvexShape.TaperedCapsule(${list(a)})`;
-    default: return `ConvexShape.Mesh(new Vector3[]\n{\n${corners(n.slice(1))}})`;
+    case 'mesh': return `ConvexShape.Mesh(new Vector3[]\n{\n${corners(n.slice(1))}})`;
+    default: return null;
   }
 }
 

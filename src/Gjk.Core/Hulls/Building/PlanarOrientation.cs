@@ -2,7 +2,7 @@ namespace Gjk.Core;
 
 /// <summary>On which side of a line lies a point of the plane? Exact for coordinates that are finite floats, denormal
 /// or huge. Not thread-safe.</summary>
-internal sealed class PlanarTurn
+internal sealed class PlanarOrientation
 {
     /// <summary>Relative to the sum of the two products of the test: 4 u, in units of u = 2^-53, is proved enough (3 u
     /// + 16 u^2 in Shewchuk 1997; with the differences of doubles proofs/hull-line.g), 8 u leaves room. Pinned by

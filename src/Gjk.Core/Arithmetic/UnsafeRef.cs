@@ -1,12 +1,12 @@
 namespace Gjk.Core;
 
-/// <summary>References that the compiler does not vouch for: to values that are written before they are read, and to
-/// readonly ones.</summary>
-internal static class Uncleared
+/// <summary>What <c>System.Runtime.CompilerServices.Unsafe</c> offers, for netstandard2.0 too: references to values
+/// that are not initialized, and writable references to readonly ones.</summary>
+internal static class UnsafeRef
 {
-    /// <summary>As <c>Unsafe.SkipInit</c>, which only the newer runtimes have.</summary>
+    /// <summary><c>Unsafe.SkipInit</c>, which only the newer runtimes have.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static unsafe void Begin<T>(out T value)
+    public static unsafe void SkipInit<T>(out T value)
         where T : struct
     {
 #if NET
@@ -20,7 +20,7 @@ internal static class Uncleared
 #endif
     }
 
-    /// <summary>One of some values that follow each other, by a reference that can be written through.</summary>
+    /// <summary>A writable reference to one of several values that lie one behind the other.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe ref T At<T>(scoped in T first, int index)
         where T : struct
@@ -34,7 +34,7 @@ internal static class Uncleared
 #endif
     }
 
-    /// <summary>A value as one of another type, which it is known to be.</summary>
+    /// <summary><c>Unsafe.As</c>: a value as one of another type, which it is known to be.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe ref TTo As<T, TTo>(ref T value)
     {

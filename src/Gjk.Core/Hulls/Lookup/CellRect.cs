@@ -2,7 +2,7 @@ namespace Gjk.Core;
 
 /// <summary>A rectangle of cells on a face of the direction cube, with the vertices that can be furthest in its
 /// directions.</summary>
-internal readonly struct CellPart(int face, int column, int endColumn, int row, int endRow, int from = 0, int count = 0)
+internal readonly struct CellRect(int face, int column, int endColumn, int row, int endRow, int from = 0, int count = 0)
 {
     /// <summary>Which face, and where on it: from a column and row up to, not including, others.</summary>
     public readonly int Face = face, Column = column, EndColumn = endColumn, Row = row, EndRow = endRow;
@@ -17,17 +17,17 @@ internal readonly struct CellPart(int face, int column, int endColumn, int row, 
     public int Cells => Columns * Rows;
 
     /// <summary>The same rectangle with a list.</summary>
-    public CellPart WithList(int from, int count) => new(Face, Column, EndColumn, Row, EndRow, from, count);
+    public CellRect WithList(int from, int count) => new(Face, Column, EndColumn, Row, EndRow, from, count);
 
     /// <summary>The half with the lower columns, or with the lower rows where these are more.</summary>
-    public CellPart LowerHalf() =>
+    public CellRect LowerHalf() =>
         Columns >= Rows
-            ? new CellPart(Face, Column, Column + Columns / 2, Row, EndRow)
-            : new CellPart(Face, Column, EndColumn, Row, Row + Rows / 2);
+            ? new CellRect(Face, Column, Column + Columns / 2, Row, EndRow)
+            : new CellRect(Face, Column, EndColumn, Row, Row + Rows / 2);
 
     /// <summary>The rest.</summary>
-    public CellPart UpperHalf() =>
+    public CellRect UpperHalf() =>
         Columns >= Rows
-            ? new CellPart(Face, Column + Columns / 2, EndColumn, Row, EndRow)
-            : new CellPart(Face, Column, EndColumn, Row + Rows / 2, EndRow);
+            ? new CellRect(Face, Column + Columns / 2, EndColumn, Row, EndRow)
+            : new CellRect(Face, Column, EndColumn, Row + Rows / 2, EndRow);
 }
