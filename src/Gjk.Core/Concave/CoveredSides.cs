@@ -47,12 +47,9 @@ internal static class CoveredSides
         foreach (OpenPlane plane in planes)
         {
             Double3 to = one.Foot - plane.Foot;
+            bool isAsDeep = plane.Depth >= one.Depth && (plane.Normal - one.Normal).SumOfMagnitudes <= Room;
             double least = Room * to.SumOfMagnitudes + RoundingAt(one.Foot);
-            if (plane.Depth >= one.Depth && (plane.Normal - one.Normal).SumOfMagnitudes <= Room
-                && Math.Abs(Double3.Dot(to, one.Normal)) <= least)
-            {
-                return;
-            }
+            if (isAsDeep && Math.Abs(Double3.Dot(to, one.Normal)) <= least) return;
         }
 
         planes.Add(one);

@@ -26,7 +26,7 @@ internal static class FlushSides
         point + outward * StepAt(point, size);
 
     private static double StepAt(in Double3 point, double size) =>
-        CoveredSides.Beyond * CoveredSides.Room * (point.SumOfMagnitudes + size);
+        CoveredSides.Beyond * (CoveredSides.Room * size + CoveredSides.RoundingAt(point));
 
     /// <summary>Adds the plane in which the union ends where it goes on from a witness, if all of it ends
     /// there.</summary>

@@ -146,9 +146,16 @@ internal sealed class PartSide
     /// is no triangle of a solid.</summary>
     public int OutwardOf(int part)
     {
-        if (!HasInside) return 0;
-        foreach (SolidInside inside in Insides)
-            if (part >= inside.First && part < inside.End) return inside.OutwardOf(part);
+        int low = 0, high = Insides.Length;
+        while (low < high)
+        {
+            int middle = (low + high) / 2;
+            SolidInside inside = Insides[middle];
+            if (part < inside.First) high = middle;
+            else if (part >= inside.End) low = middle + 1;
+            else return inside.OutwardOf(part);
+        }
+
         return 0;
     }
 

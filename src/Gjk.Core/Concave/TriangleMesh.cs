@@ -15,6 +15,9 @@ public sealed partial class TriangleMesh
     private readonly TriangleList _list;
     private readonly MeshTopology _topology;
 
+    /// <summary>As <see cref="MeshTopology.Around"/>, with the sides of what fills T-junctions.</summary>
+    private readonly int[] _around;
+
     /// <summary>The tree over the triangles.</summary>
     internal readonly PartTree Tree;
 
@@ -57,6 +60,9 @@ public sealed partial class TriangleMesh
         Tree = like is not null
             ? PartTreeRefit.Fit(Source, like)
             : PartTreeBuilder.Build(Source, LeafSize, MostInLeaf, workers);
+        _around = _topology.Around;
+        int[] fill = CornersOnEdges.Fill(this, _topology.Borders);
+        if (fill.Length > 0) (_list, _around) = (_list.With(fill), _topology.AroundWith(_list.CopyIndices(), fill));
         Slab = MeshSlab.Of(this);
         _looksIn = PieceSides.LooksIn(this);
         Insides = HasInside ? [new SolidInside(this)] : [];
@@ -171,7 +177,7 @@ public sealed partial class TriangleMesh
     internal int[] Components => _topology.Components;
 
     /// <summary>The sides that begin where a side begins.</summary>
-    internal CornerRing SidesAt(int side) => new(_list, _topology.Around, side);
+    internal CornerRing SidesAt(int side) => new(_list, _around, side);
 
     /// <summary>The number of a triangle's connected piece.</summary>
     internal int PieceOf(int triangle) =>
@@ -215,7 +221,10 @@ public sealed partial class TriangleMesh
 
     /// <summary>A corner of a triangle with the scale.</summary>
     /// <param name="side">Three times the triangle, and the corner.</param>
-    internal Double3 GetCorner(int side) => GetPlace(_list.Corner(side));
+    internal Double3 GetCorner(int side) => GetPlace(VertexOf(side));
+
+    /// <summary>The vertex at which a side begins.</summary>
+    internal int VertexOf(int side) => _list.Corner(side);
 
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)
