@@ -73,8 +73,8 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3537,
-        ["Concave/Trees"] = 727,
+        ["Concave"] = 3531,
+        ["Concave/Trees"] = 724,
         ["Contacts"] = 1039,
         ["Cores"] = 567,
         ["Diagnostics"] = 683,
@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 89,
         ["Threading"] = 211,
         ["Wide"] = 908,
-        ["World"] = 1216,
+        ["World"] = 1210,
     };
 
     [Fact]
