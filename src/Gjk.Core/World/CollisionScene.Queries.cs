@@ -97,7 +97,7 @@ public sealed partial class CollisionScene
         AnswerPairs(_pairWarmStarts, _candidates, job, workers);
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
+            if (_pairWarmStarts.Now.Results[i].Status != GjkStatus.BeyondMaxDistance)
                 results.Add(DistanceOf(i));
     }
 
@@ -122,9 +122,9 @@ public sealed partial class CollisionScene
     private PairDistance DistanceOf(int i)
     {
         ObjectPair ids = _objects.IdsOf(_candidates[i]);
-        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(_pairWarmStarts.Results[i], pair: ids);
-        ObjectPair parts = _pairWarmStarts.Parts[i];
-        return new PairDistance(_pairWarmStarts.Results[i], parts.A, parts.B, ids);
+        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(_pairWarmStarts.Now.Results[i], pair: ids);
+        ObjectPair parts = _pairWarmStarts.Now.Parts[i];
+        return new PairDistance(_pairWarmStarts.Now.Results[i], parts.A, parts.B, ids);
     }
 
     /// <summary>Decides which of the candidates overlap, or are no further apart than a gap.</summary>

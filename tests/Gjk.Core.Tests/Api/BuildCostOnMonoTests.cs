@@ -66,7 +66,7 @@ public class BuildCostOnMonoTests
         ("Containment.*", Answer), ("SolidExit.*", Answer), ("TreeFrame.Compose", Answer),
         ("BoxFit.TryGetSpread", Making), ("PlaneProof.*", Cover),
         ("OutwardContact.*", Contact), ("SolidInside.*", Answer),
-        ("Reaches.OfPart", Part), ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
+        ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
         ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
         ("TouchLine.*", Contact),
         ("DeepestPoint.Lead", Contact), ("TriangleBack.IsBack", Answer),

@@ -73,8 +73,8 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3556,
-        ["Concave/Trees"] = 735,
+        ["Concave"] = 3531,
+        ["Concave/Trees"] = 724,
         ["Contacts"] = 1032,
         ["Cores"] = 566,
         ["Diagnostics"] = 681,
@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 89,
         ["Threading"] = 211,
         ["Wide"] = 908,
-        ["World"] = 1216,
+        ["World"] = 1199,
     };
 
     [Fact]
