@@ -4,7 +4,7 @@ using Lanes = System.Runtime.Intrinsics.Vector256<double>;
 
 namespace Gjk.Core;
 
-/// <summary>The results of four walks, as <c>DistanceFinish.Write</c> and <see cref="ClosestPointWeights"/> have them;
+/// <summary>The results of four walks, as <c>ConvexQuery.Finish</c> and <see cref="ClosestPointWeights"/> have them;
 /// lanes that need more than the plain case are left to the scalar query.</summary>
 internal static unsafe class WideFinish
 {
@@ -109,7 +109,7 @@ internal static unsafe class WideFinish
         return inside;
     }
 
-    /// <summary>The rest of <c>DistanceFinish.Write</c>.</summary>
+    /// <summary>The rest of <c>ConvexQuery.Finish</c>.</summary>
     private static uint Points(
         in WideBatch batch, int* index, in WidePairs s, in WideVector onA, in WideVector onB, float maxDistance,
         ref WideResults r)

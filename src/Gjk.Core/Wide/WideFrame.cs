@@ -10,7 +10,7 @@ internal static unsafe class WideFrame
     /// <summary>Reads the poses and the shapes' sizes, composes, and sets the walk to its beginning.</summary>
     /// <param name="batch">The pairs' shapes and poses.</param>
     /// <param name="index">Four indices of pairs; unused lanes repeat the first.</param>
-    /// <param name="reach">As <see cref="ProvedDistance.ShapeReach"/> says, of the asked distance.</param>
+    /// <param name="reach">As in <c>ConvexQuery.CoreReach</c>, for the asked distance, before the margins.</param>
     /// <param name="s">The four pairs.</param>
     /// <returns>One bit for each lane that can be solved here; the others are for the scalar query.</returns>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
