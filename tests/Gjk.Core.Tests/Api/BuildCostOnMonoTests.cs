@@ -61,6 +61,8 @@ public class BuildCostOnMonoTests
         ("AnyShape.*", Making), ("CompoundShape.*", Making), ("CompoundPart.ctor", Making),
         ("TriangleMesh.GetShape", Part),
         ("TriangleMesh.GetMassProperties", Making), ("MassProperties.*", Making), ("MassForms.*", Making),
+        ("ConeShape.GetMass", Making), ("CylinderShape.GetMass", Making), ("EllipsoidShape.GetMass", Making),
+        ("TaperedCapsuleShape.GetMass", Making),
         ("StillStart.Run", Answer), ("UnionLift.*", Answer), ("PartsCast.*", Answer), ("UnionCast.*", Answer),
         ("ConcaveQuery.*", Answer), ("PartQuery.*", Part), ("PartPairSearch.*", Answer), ("PartCastSearch.*", Part),
         ("Containment.*", Answer), ("SolidExit.*", Answer), ("TreeFrame.Compose", Answer),
