@@ -60,7 +60,7 @@ public class BuildCostOnMonoTests
         ("Polytope.Grow", "once, in the few searches that outgrow the first room"),
         ("AnyShape.*", Making), ("CompoundShape.*", Making), ("CompoundPart.ctor", Making),
         ("TriangleMesh.GetShape", Part),
-        ("TriangleMesh.GetMassProperties", Making), ("MassProperties.*", Making), ("MassForms.*", Making),
+        ("TriangleMesh.GetMassProperties", Making), ("MassProperties.*", Making),
         ("ConeShape.GetMass", Making), ("CylinderShape.GetMass", Making), ("EllipsoidShape.GetMass", Making),
         ("TaperedCapsuleShape.GetMass", Making),
         ("StillStart.Run", Answer), ("UnionLift.*", Answer), ("PartsCast.*", Answer), ("UnionCast.*", Answer),
