@@ -136,7 +136,7 @@ public sealed partial class CollisionScene
 
     /// <summary>Runs a job that answers the pairs of a frame.</summary>
     private void AnswerPairs<TJob>(
-        PairFrames frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
+        PairHistory frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
         where TJob : struct, IPartJob
     {
         frame.Begin(pairs, _objects.Ids, ref _calls, isKept);
