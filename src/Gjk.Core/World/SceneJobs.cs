@@ -103,8 +103,8 @@ internal readonly struct SceneNearJob(
 /// <remarks>The bits of an answer depend on the answers that were reported for the pair, and on nothing else. A pair
 /// that was reported in the frame before begins where it ended. A pair that was not may have been looked at or not,
 /// which depends on the bounds; what it remembers is used only to see quickly that it still is too far apart, and else
-/// it begins cold, as each pair does that is not convex. A pair that was reported and whose objects have not moved since
-/// keeps its answer.</remarks>
+/// it begins cold, as each pair does that is not convex. A pair that was reported and whose objects have not moved
+/// since keeps its answer.</remarks>
 internal readonly struct SceneDistanceJob(
     SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance)
     : IPartJob
