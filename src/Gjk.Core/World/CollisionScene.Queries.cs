@@ -137,10 +137,10 @@ public sealed partial class CollisionScene
     /// <summary>Runs a job that answers the pairs of a frame.</summary>
     private void AnswerPairs<TJob>(
         PairHistory frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
-        where TJob : struct, IPartJob
+        where TJob : struct, IShareJob
     {
         frame.Begin(pairs, _objects.Ids, ref _calls, isKept);
-        Workers.Run(workers, job, pairs.Count, _objects.Parts.PartLength, CancellationToken.None);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength, CancellationToken.None);
         frame.Complete();
     }
 

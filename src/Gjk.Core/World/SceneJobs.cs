@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// <param name="asksParts">Whether pairs that are not convex are asked.</param>
 internal readonly struct SceneNearJob(
     SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap, bool asksParts)
-    : IPartJob
+    : IShareJob
 {
     public unsafe void Run(int begin, int end)
     {
@@ -107,7 +107,7 @@ internal readonly struct SceneNearJob(
 /// since keeps its answer.</remarks>
 internal readonly struct SceneDistanceJob(
     SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance)
-    : IPartJob
+    : IShareJob
 {
     /// <summary>Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much
     /// leaves no doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. More
