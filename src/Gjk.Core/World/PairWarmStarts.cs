@@ -4,7 +4,7 @@ namespace Gjk.Core;
 /// reported.</summary>
 /// <remarks>Which pairs a frame looks at depends on their bounds, which pairs it reports does not. So only the warm
 /// start of a pair that was reported may be seen in a result; see <see cref="SceneDistanceJob"/>.</remarks>
-internal sealed class PairWarmStarts : PairFrames
+internal sealed class PairWarmStarts : PairHistory
 {
     /// <summary>The frame's answers.</summary>
     public Frame Now { get; private set; } = new();
@@ -16,7 +16,7 @@ internal sealed class PairWarmStarts : PairFrames
     /// <param name="i">The pair.</param>
     /// <param name="keepsShapes">Whether both objects have the shapes that they had in the last frame; what is known of
     /// others is forgotten.</param>
-    /// <param name="last">From <see cref="PairFrames.Seek"/>, or as the call for the pair before left it.</param>
+    /// <param name="last">From <see cref="PairHistory.Seek"/>, or as the call for the pair before left it.</param>
     /// <returns>The state.</returns>
     public PairState Resume(int i, bool keepsShapes, ref int last)
     {

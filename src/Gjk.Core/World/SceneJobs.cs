@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// <param name="asksParts">Whether pairs that are not convex are asked.</param>
 internal readonly struct SceneNearJob(
     SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap, bool asksParts)
-    : IPartJob
+    : IShareJob
 {
     public unsafe void Run(int begin, int end)
     {
@@ -94,10 +94,11 @@ internal readonly struct SceneNearJob(
 /// <remarks>The bits of an answer depend on the answers that were reported for the pair, and on nothing else. A pair
 /// that was reported in the frame before begins where it ended. A pair that was not may have been looked at or not,
 /// which depends on the bounds; what it remembers is used only to see quickly that it still is too far apart, and else
-/// it begins cold. A pair that was reported and whose objects have not moved since keeps its answer.</remarks>
+/// it begins cold, as each pair does that is not convex. A pair that was reported and whose objects have not moved
+/// since keeps its answer.</remarks>
 internal readonly struct SceneDistanceJob(
     SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance)
-    : IPartJob
+    : IShareJob
 {
     /// <summary>Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much
     /// leaves no doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. More

@@ -154,7 +154,7 @@ internal sealed class PartTreeBuilder
     private static int Shifted(int child, int shift) => child < 0 ? child : child + shift;
 
     /// <summary>Builds branches, whose first lane is the lane of the tree that they grow from.</summary>
-    private readonly struct BranchJob(PartTreeBuilder[] branches, PartRange[] ranges) : IPartJob
+    private readonly struct BranchJob(PartTreeBuilder[] branches, PartRange[] ranges) : IShareJob
     {
         public void Run(int begin, int end)
         {
