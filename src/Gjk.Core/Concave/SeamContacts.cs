@@ -142,8 +142,8 @@ internal static class SeamContacts
     /// <param name="isNear">Whether it is no deeper than the pairs are near: what covers it is among them.</param>
     private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PairContacts one, bool isNear = false)
     {
+        if (!scratch.SideOf(one.Pair.A, isA).HasJoints) return false;
         var cover = new PartsCover(scratch, isA, one);
-        if (!cover.Side.HasJoints) return false;
         return isNear
             ? cover.GoesOn(cover.Witness, cover.Outward, isJoint: true)
             : JoinedGrounds.GoesOn(scratch, cover.Side, cover.Own, cover.Witness, cover.Outward);

@@ -7,7 +7,7 @@ namespace Gjk.Core;
 /// triangle numbers are limited by memory alone: some 54 to 90 bytes a triangle in meshes with half as many vertices as
 /// triangles.</remarks>
 [DebuggerDisplay("{" + nameof(TriangleCount) + "} triangles, {" + nameof(VertexCount) + "} vertices")]
-public sealed partial class TriangleMesh
+public sealed partial class TriangleMesh : IPartSource
 {
     /// <summary>Count: what fills the lanes of the triangle filter well, and keeps the tree small.</summary>
     private const int LeafSize = 4, MostInLeaf = 7;
@@ -29,9 +29,6 @@ public sealed partial class TriangleMesh
 
     /// <summary>The scale in double, so that products with vertices are exact.</summary>
     private readonly Double3 _scale;
-
-    /// <summary>Null until it is asked for.</summary>
-    private IPartSource? _source;
 
     /// <summary>What it encloses, if it is closed.</summary>
     internal readonly SolidInside[] Insides;
@@ -58,8 +55,8 @@ public sealed partial class TriangleMesh
         Scale = scale;
         _scale = scale;
         Tree = like is not null
-            ? PartTreeRefit.Fit(Source, like)
-            : PartTreeBuilder.Build(Source, LeafSize, MostInLeaf, workers);
+            ? PartTreeRefit.Fit(this, like)
+            : PartTreeBuilder.Build(this, LeafSize, MostInLeaf, workers);
         _around = _topology.Around;
         int[] fill = CornersOnEdges.Fill(this, _topology.Borders);
         if (fill.Length > 0) (_list, _around) = (_list.With(fill), _topology.AroundWith(_list.CopyIndices(), fill));
@@ -251,28 +248,22 @@ public sealed partial class TriangleMesh
 
     private static string Triangles(int count) => count == 1 ? "1 triangle" : $"{count} triangles";
 
-    /// <summary>The triangles as a tree is built of them.</summary>
-    internal IPartSource Source => _source ??= new TriangleSource(this);
+    int IPartSource.Count => TriangleCount;
 
-    private sealed class TriangleSource(TriangleMesh mesh) : IPartSource
+    void IPartSource.GetBox(int part, out Double3 min, out Double3 max)
     {
-        public int Count => mesh.TriangleCount;
+        GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+        min = new Double3(
+            Math.Min(Math.Min(a.X, b.X), c.X), Math.Min(Math.Min(a.Y, b.Y), c.Y),
+            Math.Min(Math.Min(a.Z, b.Z), c.Z));
+        max = new Double3(
+            Math.Max(Math.Max(a.X, b.X), c.X), Math.Max(Math.Max(a.Y, b.Y), c.Y),
+            Math.Max(Math.Max(a.Z, b.Z), c.Z));
+    }
 
-        public void GetBox(int part, out Double3 min, out Double3 max)
-        {
-            mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-            min = new Double3(
-                Math.Min(Math.Min(a.X, b.X), c.X), Math.Min(Math.Min(a.Y, b.Y), c.Y),
-                Math.Min(Math.Min(a.Z, b.Z), c.Z));
-            max = new Double3(
-                Math.Max(Math.Max(a.X, b.X), c.X), Math.Max(Math.Max(a.Y, b.Y), c.Y),
-                Math.Max(Math.Max(a.Z, b.Z), c.Z));
-        }
-
-        public bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
-        {
-            mesh.GetCorners(part, out a, out b, out c);
-            return true;
-        }
+    bool IPartSource.TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
+    {
+        GetCorners(part, out a, out b, out c);
+        return true;
     }
 }
