@@ -213,14 +213,14 @@ internal static class CoveredSides
         return IsWithin(shape, point, Room * (length + point.Length) + rounding);
     }
 
-    /// <summary>Whether a part of a mesh or compound is certainly too far from a point to hold it.</summary>
-    public static bool IsClear(PartSide side, int part, in Double3 point)
+    /// <summary>Whether a part of a mesh or compound is certainly further from a point than a gap.</summary>
+    public static bool IsClear(PartSide side, int part, in Double3 point, double gap = 0)
     {
         if (side.Compound is { } compound)
         {
             Double3 below = compound.Boxes[part].Min - point, above = point - compound.Boxes[part].Max;
             double room = 2 * Room * (below.SumOfMagnitudes + above.SumOfMagnitudes + point.SumOfMagnitudes)
-                + 2 * side.Rounding;
+                + 2 * side.Rounding + gap;
             return Math.Max(Math.Max(below.X, above.X), Math.Max(below.Y, above.Y)) > room
                 || Math.Max(below.Z, above.Z) > room;
         }
@@ -228,7 +228,7 @@ internal static class CoveredSides
         if (side.Mesh is null) return false;
         side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
         var reach = new TriangleReach(a, b, c, point);
-        return reach.IsBeyond(2 * (Room * (reach.Size + point.SumOfMagnitudes) + side.Rounding));
+        return reach.IsBeyond(2 * (Room * (reach.Size + point.SumOfMagnitudes) + side.Rounding) + gap);
     }
 
     /// <summary>Whether a plane is across a contact's direction: no other one buries it.</summary>

@@ -90,10 +90,13 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 PairDistance near = scratch.Pairs[k];
                 if (!IsBeside(near, side, true)) continue;
                 int part = isA ? near.PartA : near.PartB;
-                var pose = new RigidPose((Vector3)FlushSides.Beside(witness, Outward, side.MiddleOfPart(part)));
+                Double3 point = FlushSides.Beside(witness, Outward, side.MiddleOfPart(part));
+                bool isAny = least.Status != GjkStatus.None;
+                if (isAny && CoveredSides.IsClear(side, part, side.Local(point), least.Distance)) continue;
+                var pose = new RigidPose((Vector3)point);
                 DistanceResult found = ConvexQuery.Distance(side.Part(part, ref room), side.Pose, shape, pose);
                 if (SeamContacts.Judge(side, part, found.Normal) != ContactFit.Stays) continue;
-                if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
+                if (!isAny || found.Distance < least.Distance) least = found;
             }
         }
 
