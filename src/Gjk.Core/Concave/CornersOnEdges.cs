@@ -3,62 +3,124 @@ namespace Gjk.Core;
 /// <summary>Corners of a mesh that lie on another triangle's border edge, between its ends (T-junctions): triangles
 /// without area fill them, so that what meets there is joined. They are no parts; only neighbourhood knows
 /// them.</summary>
-internal static class CornersOnEdges
+/// <remarks>Corners are put into cubes as large as a border edge is long on average, and each edge asks the cubes along
+/// it: the edges have as many pieces together as there are edges, at most twice.</remarks>
+internal sealed class CornersOnEdges
 {
+    /// <summary>Count: so many corners are near a border edge, on average. In a heap of triangles that has more there
+    /// are no T-junctions, and looking for them would take the square of the time. Pinned by FloorTests.</summary>
+    private const int MostNear = 64;
+
+    /// <summary>Count: of cubes along a mesh. With more their numbers would be rounded; no mesh with edges so short has
+    /// corners on them.</summary>
+    private const double MostCubes = 1L << 40;
+
+    private readonly TriangleMesh _mesh;
+    private readonly double _cube;
+
+    /// <summary>The last of the corners in each cube, and the one before each; -1 where there is none.</summary>
+    private readonly Dictionary<Vector3, int> _last = [];
+
+    private readonly List<(int Corner, int Before)> _corners = [];
+    private readonly List<(int Side, double Along, int Corner)> _found = [];
+    private long _left;
+
+    private CornersOnEdges(TriangleMesh mesh, double cube, int borders) =>
+        (_mesh, _cube, _left) = (mesh, cube, (long)MostNear * borders);
+
     /// <summary>Three vertices of each triangle that fills one; empty where there are none.</summary>
     /// <param name="mesh">Whose tree is built.</param>
     /// <param name="borders">The sides that are edges of one triangle alone.</param>
     public static int[] Fill(TriangleMesh mesh, int[] borders)
     {
-        if (borders.Length == 0) return [];
-        var isBorder = new bool[3 * mesh.TriangleCount];
-        foreach (int side in borders) isBorder[side] = true;
-        var found = new List<(int Side, double Along, int Corner)>();
+        double sum = 0;
+        foreach (int side in borders)
+            sum += (mesh.GetCorner(ContactCone.After(side)) - mesh.GetCorner(side)).Length;
+        double cube = sum / borders.Length;
+        if (!(mesh.Tree.Radius < cube * MostCubes)) return [];
+        var search = new CornersOnEdges(mesh, cube, borders.Length);
+        search.Collect(borders);
+        foreach (int side in borders)
+            if (!search.TryAsk(side)) return [];
+        search._found.Sort();
+        return search.Fan();
+    }
+
+    private void Collect(int[] borders)
+    {
         var seen = new HashSet<Vector3>();
-        var scratch = new ConcaveScratch();
-        AnyShape surface = AnyShape.Surface(mesh), point = AnyShape.Of(ConvexShape.Point());
         for (int i = 0; i < 2 * borders.Length; i++)
         {
             int corner = i % 2 == 0 ? borders[i / 2] : ContactCone.After(borders[i / 2]);
-            Double3 place = mesh.GetCorner(corner);
+            Double3 place = _mesh.GetCorner(corner), cube = CubeOf(place);
+            var key = new Vector3((float)cube.X, (float)cube.Y, (float)cube.Z);
             if (!seen.Add((Vector3)place)) continue;
-            var gap = (float)(ContactCone.Flat * (2 * mesh.Tree.Radius + place.Length));
-            ConcaveQuery.FindPairsWithin(
-                surface, RigidPose.Identity, point, new RigidPose((Vector3)place), gap, scratch, scratch.Near);
-            foreach (PairDistance near in scratch.Near)
+            if (!_last.TryGetValue(key, out int before)) before = -1;
+            _last[key] = _corners.Count;
+            _corners.Add((corner, before));
+        }
+    }
+
+    private Double3 CubeOf(in Double3 place)
+    {
+        Double3 at = (place - _mesh.Tree.Origin) * (1 / _cube);
+        return new Double3(Math.Floor(at.X), Math.Floor(at.Y), Math.Floor(at.Z));
+    }
+
+    /// <summary>Finds the corners on an edge, piece by piece.</summary>
+    /// <returns>False where there are too many to look at.</returns>
+    private bool TryAsk(int side)
+    {
+        Double3 start = _mesh.GetCorner(side), edge = _mesh.GetCorner(ContactCone.After(side)) - start;
+        double length = edge.Length, room = ContactCone.Flat * (length + start.Length);
+        var most = new Double3(room, room, room);
+        var pieces = (int)Math.Ceiling(length / _cube);
+        for (int i = 0; i < pieces; i++)
+        {
+            Double3 a = start + edge * ((double)i / pieces), b = start + edge * ((i + 1.0) / pieces);
+            Double3 middle = (a + b) * 0.5, half = (b - a) * 0.5;
+            half = new Double3(Math.Abs(half.X), Math.Abs(half.Y), Math.Abs(half.Z)) + most;
+            Double3 low = CubeOf(middle - half), high = CubeOf(middle + half);
+            for (double x = low.X; x <= high.X; x++)
             {
-                int first = 3 * near.PartA;
-                for (int side = first; side < first + 3; side++)
-                    if (isBorder[side] && IsBetween(mesh, side, place, out double along))
-                        found.Add((side, along, corner));
+                for (double y = low.Y; y <= high.Y; y++)
+                    for (double z = low.Z; z <= high.Z; z++) AskCube(side, new Vector3((float)x, (float)y, (float)z));
             }
         }
 
-        found.Sort();
-        return Fan(mesh, found);
+        return _left >= 0;
     }
 
-    private static bool IsBetween(TriangleMesh mesh, int side, in Double3 place, out double along)
+    private void AskCube(int side, Vector3 cube)
     {
-        Double3 start = mesh.GetCorner(side), edge = mesh.GetCorner(ContactCone.After(side)) - start;
+        if (!_last.TryGetValue(cube, out int at)) return;
+        for (; at >= 0 && _left >= 0; at = _corners[at].Before, _left--)
+        {
+            int corner = _corners[at].Corner;
+            if (IsBetween(side, _mesh.GetCorner(corner), out double along)) _found.Add((side, along, corner));
+        }
+    }
+
+    private bool IsBetween(int side, in Double3 place, out double along)
+    {
+        Double3 start = _mesh.GetCorner(side), edge = _mesh.GetCorner(ContactCone.After(side)) - start;
         along = Double3.Dot(place - start, edge) / edge.LengthSquared;
         return along > 0 && along < 1 && place != start && place != start + edge
             && ContactCone.IsFlat(start, start + edge, place);
     }
 
     /// <summary>Each edge with the corners on it, in their order, from where it begins.</summary>
-    private static int[] Fan(TriangleMesh mesh, List<(int Side, double Along, int Corner)> found)
+    private int[] Fan()
     {
-        var fill = new int[3 * found.Count];
-        for (int i = 0; i < found.Count; i++)
+        var fill = new List<int>();
+        for (int i = 0; i < _found.Count; i++)
         {
-            (int side, _, int corner) = found[i];
-            bool isFirst = i == 0 || found[i - 1].Side != side;
-            fill[3 * i] = mesh.VertexOf(isFirst ? side : found[i - 1].Corner);
-            fill[3 * i + 1] = mesh.VertexOf(corner);
-            fill[3 * i + 2] = mesh.VertexOf(ContactCone.After(side));
+            (int side, _, int corner) = _found[i];
+            if (i > 0 && _found[i] == _found[i - 1]) continue;
+            int from = i > 0 && _found[i - 1].Side == side ? _found[i - 1].Corner : side;
+            fill.AddRange([_mesh.VertexOf(from), _mesh.VertexOf(corner), _mesh.VertexOf(ContactCone.After(side))]);
         }
 
-        return fill;
+        return [.. fill];
     }
 }

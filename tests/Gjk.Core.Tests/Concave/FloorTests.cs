@@ -1,3 +1,4 @@
+using System.Diagnostics;
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>A flat floor pushes straight up, however it is made.</summary>
@@ -54,6 +55,23 @@ public class FloorTests
         Assert.True(IsFlatUnder(mesh.WithVertices([.. points.Select(p => p + Vector3.UnitX * 0.01f)])));
         points[4].X = -0.05f;
         Assert.False(IsFlatUnder(mesh.WithVertices(points)));
+    }
+
+    /// <summary>A heap of triangles in one plane is built in time that is in proportion to them.</summary>
+    [Fact]
+    public void AHeapOfTrianglesIsBuiltInTime()
+    {
+        const int Count = 20_000;
+        var points = new Vector3[3 * Count];
+        for (int i = 0; i < points.Length; i++)
+        {
+            (float sin, float cos) = MathF.SinCos(i / 3 * 0.0003f + i % 3 * 2.1f);
+            points[i] = new Vector3(cos, 0, sin);
+        }
+
+        var clock = Stopwatch.StartNew();
+        Assert.Equal(Count, new TriangleMesh(points, [.. Enumerable.Range(0, points.Length)]).TriangleCount);
+        Assert.InRange(clock.Elapsed.TotalSeconds, 0, 3);
     }
 
     private bool IsFlatUnder(TriangleMesh mesh)
