@@ -235,7 +235,7 @@ internal static class SolidExit
         Double3 local = new RotationD(side.Pose.Rotation).InverseRotate(along);
         SolidInside solid = side.Solid!;
         int tip = triangle;
-        if (!(Double3.Dot(ContactCone.NormalOf(side, triangle), local) > 1 - ContactCone.Slack))
+        if ((ContactCone.NormalOf(side, triangle) - local).LengthSquared > ContactCone.Slack * ContactCone.Slack)
         {
             if (!MeshClimb.TryFind(solid.Mesh, triangle, solid.AlongMesh(local), out int corner))
                 return double.PositiveInfinity;
