@@ -76,7 +76,7 @@ public static partial class ConcaveQuery
     {
         if (float.IsNaN(motion.MaxFraction)) return InvalidCast;
         if (motion.Options.PassesShallow) return MoveInUnion(scratch, motion, all);
-        CastHit first = First(scratch, motion, motion.B.Pose, all);
+        CastHit first = First(scratch, motion, motion.B.Pose, default, all);
         if (all is not null) return default;
         bool isAtStart = first.Status == CastStatus.OverlappingAtStart;
         if (!scratch.A.HasInside && !scratch.B.HasInside) return first;
@@ -87,12 +87,12 @@ public static partial class ConcaveQuery
 
     /// <summary>The first contact of parts that counts, also from where B is lifted to.</summary>
     private static CastHit First(
-        ConcaveScratch scratch, in PartMotion motion, in RigidPose lifted, List<CastHit>? all)
+        ConcaveScratch scratch, in PartMotion motion, in RigidPose lifted, in Double3 lift, List<CastHit>? all)
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
         search.Begin(scratch, motion);
-        if (lifted != motion.B.Pose) search.Lift(lifted);
+        if (lifted != motion.B.Pose) search.Lift(lifted, lift);
         search.AllCasts = all;
         bool isAdvanced = motion.Kind == MotionKind.Impact && search.Speed > 0 && !motion.Options.PassesShallow
             && all is null && !sideA.IsEndless && !sideB.IsEndless;

@@ -11,8 +11,8 @@ public static partial class ConcaveQuery
     private static CastHit MoveInUnion(ConcaveScratch scratch, in PartMotion motion, List<CastHit>? all)
     {
         var union = new PartsCast(scratch, motion);
-        UnionLift.TryLift(ref union, motion.Options, out RigidPose lifted);
-        CastHit first = First(scratch, motion, lifted, all);
+        UnionLift.TryLift(ref union, motion.Options, out RigidPose lifted, out Double3 lift);
+        CastHit first = First(scratch, motion, lifted, lift, all);
         if (all is not null) return default;
         double touch = motion.Kind == MotionKind.Impact ? scratch.CastSearch.TouchRoom : 0;
         CastHit found = UnionLift.OfUnion(ref union, motion.Options, lifted, touch, first);
@@ -71,7 +71,7 @@ public static partial class ConcaveQuery
         {
             PartMotion rest = _motion.After(fraction, pose, options);
             (scratch.A.Pose, scratch.B.Pose) = (rest.A.Pose, rest.B.Pose);
-            CastHit found = options.PassesShallow ? First(scratch, rest, pose, null) : Move(scratch, rest);
+            CastHit found = options.PassesShallow ? First(scratch, rest, pose, default, null) : Move(scratch, rest);
             (scratch.A.Pose, scratch.B.Pose) = (_motion.A.Pose, _motion.B.Pose);
             return found;
         }

@@ -41,6 +41,7 @@ internal struct PartCastSearch
 
     /// <summary>B's motion from where it is out of the union, if it begins deeper in that than is allowed.</summary>
     private RigidMotion _lifted;
+    private Double3 _lift, _wayOfLifted;
     private CastOptions _liftedOptions;
     private bool _isLifted;
 
@@ -106,9 +107,12 @@ internal struct PartCastSearch
     }
 
     /// <summary>Passes also what B does not get deeper into if it begins elsewhere.</summary>
-    public void Lift(in RigidPose pose)
+    public void Lift(in RigidPose pose, in Double3 lift)
     {
         _isLifted = true;
+        _lift = lift;
+        bool turns = _motion.A.AngularVelocity != Vector3.Zero || _motion.B.AngularVelocity != Vector3.Zero;
+        _wayOfLifted = turns ? default : _motion.Way;
         _lifted = new RigidMotion(pose, _motion.B.Velocity, _motion.B.AngularVelocity);
         _liftedOptions = UnionLift.Within(UnionLift.RoundingOf(_motion.A.Pose) + UnionLift.RoundingOf(pose));
     }
@@ -242,7 +246,7 @@ internal struct PartCastSearch
         if (isIdle && _motion.Kind == MotionKind.Cast) TryPlane(scratch, partA, partB);
         CastResult found = Move(a, b, _motion.B, most, _motion.Options);
         if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
-        if (_isLifted && !UnionLift.IsOutOf(found, _motion.B.Pose, _lifted.Pose, 1)
+        if (_isLifted && !UnionLift.IsOutOf(found, _lifted.Pose, _lift, _wayOfLifted, 1)
             && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
         MetFeature feature = MetFeature.None;
         if (found.Status == CastStatus.Hit)

@@ -103,8 +103,7 @@ internal static class SolidExit
         }
 
         if (!(best.Depth > 0)) return false;
-        if (inner.HasInside && pairs.Count > 0)
-            best = best.Longer(Climb(outer, best.Triangle, best.Normal) + Climb(inner, best.Part, -best.Normal));
+        if (inner.HasInside && pairs.Count > 0) best = OfSolids(outer, inner, best);
         found = new CastHit(
             new CastResult(
                 CastStatus.OverlappingAtStart, 0, best.Point, (Vector3)best.Normal, 0, (float)best.Depth),
@@ -156,8 +155,10 @@ internal static class SolidExit
                 least = new Exit(lift, outward, pairs[i].Result.PointA, triangle, part);
         }
 
+        if (deepest.Depth > 0) return deepest;
         if (isInside) TryNearest(scratch, outer, inner, part, middle, isWhole: false, ref least);
-        return deepest.Depth > 0 ? deepest : least;
+        TryOwnFace(scratch, outer, inner, part, first, end, ref least);
+        return least;
     }
 
     /// <summary>Takes the way across the triangle that is nearest to a point of a part, if that is less; of several
@@ -184,16 +185,64 @@ internal static class SolidExit
         scratch.Return(other);
     }
 
-    /// <summary>How much further along a direction than a triangle the solid reaches that it is of: what is behind the
-    /// other one's face leaves as a whole. A triangle that faces the way is that face.</summary>
-    private static double Climb(PartSide side, int triangle, in Double3 along)
+    /// <summary>Takes the way on which what is in a triangle leaves it across the triangle's own face, if that is less:
+    /// a tip that a large triangle holds leaves by its own depth. A surface has two sides.</summary>
+    private static void TryOwnFace(
+        ConcaveScratch scratch, PartSide outer, PartSide inner, int part, int first, int end, ref Exit least)
+    {
+        if (!inner.IsMesh) return;
+        Double3 away = -new RotationD(inner.Pose.Rotation).Rotate(ContactCone.NormalOf(inner, part));
+        if (away == default) return;
+        for (int side = inner.HasInside ? 1 : 0; side < 2; side++, away = -away)
+        {
+            Exit deepest = default;
+            for (int i = first; i < end; i++)
+            {
+                int triangle = scratch.Pairs[i].PartA;
+                double depth = Across(outer, triangle, away) + Reach(inner, part, -away, isWhole: false);
+                if (depth > deepest.Depth)
+                    deepest = new Exit(depth, away, scratch.Pairs[i].Result.PointA, triangle, part);
+            }
+
+            double most = least.Depth > 0 ? least.Depth : double.PositiveInfinity;
+            if (deepest.Depth > 0 && deepest.Depth < most) least = deepest;
+        }
+    }
+
+    /// <summary>The way out of two triangles of solids, for what hangs together with them: along the way out of the
+    /// two, or across the face of either, whichever is less.</summary>
+    private static Exit OfSolids(PartSide outer, PartSide inner, in Exit pair)
+    {
+        Exit least = new(double.PositiveInfinity, pair.Normal, pair.Point, pair.Triangle, pair.Part);
+        outer.TryGetOutward(pair.Triangle, out Double3 front, out _);
+        inner.TryGetOutward(pair.Part, out Double3 back, out _);
+        for (int i = 0; i < 3; i++)
+        {
+            Double3 away = i == 0 ? pair.Normal : i == 1 ? front : -back;
+            double depth = Across(outer, pair.Triangle, away) + Across(inner, pair.Part, -away);
+            if (depth > 0 && depth < least.Depth)
+                least = new Exit(depth, away, pair.Point, pair.Triangle, pair.Part);
+        }
+
+        return double.IsInfinity(least.Depth) ? pair : least;
+    }
+
+    /// <summary>How far along a direction of the world the solid reaches with a triangle: what is behind the other
+    /// one's face leaves as a whole. A triangle that faces the way is that face.</summary>
+    /// <returns>Infinite where the tip is further away than is looked.</returns>
+    private static double Across(PartSide side, int triangle, in Double3 along)
     {
         Double3 local = new RotationD(side.Pose.Rotation).InverseRotate(along);
-        bool isFace = Double3.Dot(ContactCone.NormalOf(side, triangle), local) > 1 - ContactCone.Slack;
         SolidInside solid = side.Solid!;
-        return !isFace && MeshClimb.TryFind(solid.Mesh, triangle, solid.AlongMesh(local), out int corner)
-            ? PlaneProof.ReachOf(side, corner / 3, local) - PlaneProof.ReachOf(side, triangle, local)
-            : 0;
+        int tip = triangle;
+        if ((ContactCone.NormalOf(side, triangle) - local).LengthSquared > ContactCone.Slack * ContactCone.Slack)
+        {
+            if (!MeshClimb.TryFind(solid.Mesh, triangle, solid.AlongMesh(local), out int corner))
+                return double.PositiveInfinity;
+            tip = corner / 3;
+        }
+
+        return PlaneProof.ReachOf(side, tip, local) + Double3.Dot(along, side.Pose.Position);
     }
 
     /// <summary>How far a part, or a whole mesh, reaches along a direction of the world.</summary>
@@ -212,7 +261,5 @@ internal static class SolidExit
         public readonly Double3 Normal = normal;
         public readonly Vector3 Point = point;
         public readonly int Triangle = triangle, Part = part;
-
-        public Exit Longer(double by) => new(Depth + by, Normal, Point, Triangle, Part);
     }
 }

@@ -55,10 +55,12 @@ internal static class UnionLift
     /// <param name="union">With the body.</param>
     /// <param name="options">What is passed.</param>
     /// <param name="lifted">The pose.</param>
+    /// <param name="lift">The way there, before the pose is rounded to float.</param>
     /// <returns>False where it is not lifted.</returns>
-    public static bool TryLift<T>(ref T union, in CastOptions options, out RigidPose lifted)
+    public static bool TryLift<T>(ref T union, in CastOptions options, out RigidPose lifted, out Double3 lift)
         where T : struct, IUnionCast
     {
+        lift = default;
         lifted = union.PoseAt(0);
         RigidPose start = lifted;
         if (!options.PassesShallow) return false;
@@ -78,9 +80,15 @@ internal static class UnionLift
             way *= found.Depth;
 
             // What is less deep than its position is rounded to lies on a seam as well as in it.
-            if (!TryMove(way, ref lifted) && !TryMove(leaving * union.RoundingAt(0, lifted), ref lifted)) break;
-            if (isBent && union.Along(lifted, (Vector3)(-way)) is { IsHit: true } met)
-                TryMove(-way * met.Fraction, ref lifted);
+            if (!TryMove(way, ref lifted))
+            {
+                way = leaving * union.RoundingAt(0, lifted);
+                if (!TryMove(way, ref lifted)) break;
+            }
+
+            lift += way;
+            if (isBent && union.Along(lifted, (Vector3)(-way)) is { IsHit: true } met
+                && TryMove(-way * met.Fraction, ref lifted)) lift -= way * met.Fraction;
             (last, allowed) = (leaving, union.RoundingAt(0, lifted));
         }
 
@@ -103,17 +111,22 @@ internal static class UnionLift
     /// than is allowed, and what it gets deeper by in short steps adds up.</summary>
     public static CastOptions Within(float rounding) => CastOptions.OnlyDeeper(rounding);
 
-    /// <summary>Whether the way out of a part is that out of the union: what gets deeper in that part gets deeper in
-    /// the union, by however little.</summary>
+    /// <summary>Whether the way out of a part is that out of the union, against which the body moves: what gets deeper
+    /// in that part gets deeper in the union, by however little. Beside a flat floor's deepest triangle, the way out of
+    /// the next one leans to its edge, by what rounding hides: along the floor the body gets deeper in that one
+    /// only.</summary>
     /// <param name="part">What a cast at the part says.</param>
-    /// <param name="start">Where the body begins.</param>
-    /// <param name="lifted">Where it is out of the union.</param>
+    /// <param name="lifted">Where the body is out of the union.</param>
+    /// <param name="lift">Its way there.</param>
+    /// <param name="way">How the body moves, seen from the union; 0 where it turns, as its points move apart.</param>
     /// <param name="sign">1 where the body is B, -1 where it is A.</param>
-    public static bool IsOutOf(in CastResult part, in RigidPose start, in RigidPose lifted, float sign)
+    public static bool IsOutOf(
+        in CastResult part, in RigidPose lifted, in Double3 lift, in Double3 way, float sign)
     {
         if (part.Status != CastStatus.OverlappingAtStart) return false;
-        Double3 way = (Double3)lifted.Position - start.Position;
-        return (way - (Double3)part.Normal * (sign * part.Depth)).SumOfMagnitudes
+        double against = -Double3.Dot(way, lift);
+        if (way != default && !(against > ConvexQuery.AllowedSlope * (way.Length * lift.Length))) return false;
+        return (lift - (Double3)part.Normal * (sign * part.Depth)).SumOfMagnitudes
             <= RoundingOf(lifted) + Rounding * part.Depth;
     }
 

@@ -6,7 +6,7 @@ public static unsafe partial class ConvexQuery
 {
     /// <summary>Ratio to the way: 2^-20, sixteen roundings to float: how far the projection of a motion onto a surface
     /// may point into it. Pinned by CastOptionsTests.</summary>
-    private const double AllowedSlope = 1.0 / (1 << 20);
+    internal const double AllowedSlope = 1.0 / (1 << 20);
 
     /// <summary>A contact: as a cast has found it, and then as it is settled by how deep it is.</summary>
     private struct SettledContact(in CastResult found)

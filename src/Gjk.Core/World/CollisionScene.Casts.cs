@@ -74,10 +74,12 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
         in CastOptions options)
     {
-        var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options, pose);
+        var moving = new MovingShape(shape, pose, translation, maxFraction, filter, options, pose, default);
         if (!options.PassesShallow) return moving;
         var union = new UnionCast(this, moving);
-        return UnionLift.TryLift(ref union, options, out RigidPose lifted) ? moving.LiftedTo(lifted) : moving;
+        return UnionLift.TryLift(ref union, options, out RigidPose lifted, out Double3 lift)
+            ? moving.LiftedTo(lifted, lift)
+            : moving;
     }
 
     /// <summary>The objects as a union.</summary>

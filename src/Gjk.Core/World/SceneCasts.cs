@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>A shape that moves through a scene.</summary>
 internal readonly struct MovingShape(
     in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
-    in CastOptions options, in RigidPose lifted)
+    in CastOptions options, in RigidPose lifted, in Double3 lift)
 {
     public readonly QueryFilter Filter = filter;
     public readonly Vector3 Translation = translation;
@@ -16,23 +16,26 @@ internal readonly struct MovingShape(
     /// begins.</summary>
     public readonly RigidPose Lifted = lifted;
 
+    private readonly Double3 _lift = lift;
+
     /// <summary>The same shape from elsewhere, on another way.</summary>
     public MovingShape From(in RigidPose at, Vector3 way, float most, in CastOptions passed) =>
-        new(_shape, at, way, most, Filter, passed, at);
+        new(_shape, at, way, most, Filter, passed, at, default);
 
     /// <summary>Where it is after a fraction of the motion.</summary>
     public RigidPose PoseAt(float fraction) =>
         new(_pose.Rotation, (Vector3)((Double3)_pose.Position + (Double3)Translation * fraction));
 
     /// <summary>The same motion, which passes what it does not get deeper into from another pose.</summary>
-    public MovingShape LiftedTo(in RigidPose at) => new(_shape, _pose, Translation, MaxFraction, Filter, _options, at);
+    public MovingShape LiftedTo(in RigidPose at, in Double3 lift) =>
+        new(_shape, _pose, Translation, MaxFraction, Filter, _options, at, lift);
 
     /// <summary>When it meets an object.</summary>
     public CastHit Cast(SceneObjects objects, int slot)
     {
         CastHit found = Cast(objects, slot, _pose, _options);
         bool isLifted = Lifted != _pose && found.Result.MayHit
-            && !UnionLift.IsOutOf(found.Result, _pose, Lifted, -1);
+            && !UnionLift.IsOutOf(found.Result, Lifted, _lift, Translation, -1);
         return isLifted && !Cast(objects, slot, Lifted, UnionLift.Within(UnionLift.RoundingOf(Lifted))).Result.MayHit
             ? new CastHit(CastResult.Nothing(CastStatus.Miss, MaxFraction, 0))
             : found;

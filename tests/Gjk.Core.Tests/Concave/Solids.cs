@@ -16,6 +16,15 @@ internal static class Solids
     public static TriangleMesh Box(Vector3 low, Vector3 high) =>
         Joined((ConcaveShapes.Box((high - low) / 2), (high + low) / 2));
 
+    /// <summary>A square height field at height 0, open or with a base at -1.</summary>
+    public static AnyShape FlatField(int columns, float cell, bool isSolid)
+    {
+        var heights = new float[columns * columns];
+        return isSolid
+            ? AnyShape.Solid(TriangleMesh.FromHeights(heights, columns, new Vector2(cell), baseHeight: -1))
+            : AnyShape.Surface(TriangleMesh.FromHeights(heights, columns, new Vector2(cell)));
+    }
+
     /// <summary>The lowest height of a turned mesh.</summary>
     public static float Lowest(TriangleMesh mesh, Quaternion turn) =>
         Vertices(mesh).Min(v => Vector3.Transform(v * mesh.Scale, turn).Y);

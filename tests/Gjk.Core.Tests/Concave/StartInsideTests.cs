@@ -96,6 +96,41 @@ public class StartInsideTests
             Start(cube, ConvexShape.Capsule(0.2f, 0.3f), new Vector3(0, 1.45f, 0)), Vector3.UnitY, 0.05f);
     }
 
+    /// <summary>A triangle of the floor that holds the tip in its middle would have a long way over the tip's
+    /// faces, and the floor ends far away; the tip itself is not deep.</summary>
+    [Theory]
+    [InlineData(true, 2f)]
+    [InlineData(true, 0.25f)]
+    [InlineData(false, 2f)]
+    [InlineData(false, 0.25f)]
+    public void ATipInAFlatFieldLeavesByNoMoreThanItsDepth(bool isSolid, float cell)
+    {
+        int columns = (int)(6 / cell) + 1;
+        AnyShape floor = Solids.FlatField(columns, cell, isSolid);
+        var at = new RigidPose(new Vector3(-3, 0, -3));
+        TriangleMesh mesh = ConcaveShapes.Box(new Vector3(0.3f, 0.2f, 0.25f));
+        var body = AnyShape.Solid(mesh);
+        var random = new FuzzRandom(5);
+        int count = Budget.Whole(600);
+        for (int i = 0; i < count; i++)
+        {
+            Quaternion turn = Rotations.Even(random);
+            float deep = random.Float(0.002f, 0.05f), height = -Solids.Lowest(mesh, turn) - deep;
+            var from = new RigidPose(turn, new Vector3(random.Float(-0.5, 0.5), height, random.Float(-0.5, 0.5)));
+            Vector3 down = new(random.Float(-0.5, 0.5), -0.2f, random.Float(-0.5, 0.5));
+            CastHit start = ConcaveQuery.Cast(body, from, down, floor, at, Vector3.Zero, _scratch);
+            Assert.Equal(CastStatus.OverlappingAtStart, start.Status);
+            Assert.True(start.Result.Depth <= deep + 1e-5f, $"{i}, {from}: {deep} deep, {start}");
+            if (isSolid) AssertStart(start, -Vector3.UnitY, deep);
+            foreach (float allowed in new[] { 0, 7e-4f })
+            {
+                CastHit hit = ConcaveQuery.Cast(
+                    body, from, down, floor, at, Vector3.Zero, _scratch, options: CastOptions.OnlyDeeper(allowed));
+                Assert.True(hit.IsHit && hit.Fraction < 1e-3f, $"{i}, {from}, {deep} deep, by {down}: {hit}");
+            }
+        }
+    }
+
     /// <summary>No triangle crosses the floor's top: a ring of the body's vertices lies in it. Which triangle is the
     /// mesh's first, and where the body goes, does not matter.</summary>
     [Theory]

@@ -84,12 +84,12 @@ internal sealed class SceneSet
     /// <summary>A cast against one object, of a body that is out of all of them at another pose.</summary>
     public CastHit CastAt(
         int i, in ConvexShape shape, in RigidPose pose, Vector3 motion, float most, in CastOptions options,
-        in RigidPose lifted)
+        in RigidPose lifted, in Double3 lift)
     {
         (ConvexShape other, RigidPose at) = (World.Shapes[i], World.Poses[i]);
         CastResult found = ConvexQuery.Cast(shape, pose, motion, other, at, Vector3.Zero, most, options);
         CastOptions within = UnionLift.Within(UnionLift.RoundingOf(lifted));
-        bool isPassed = lifted != pose && !UnionLift.IsOutOf(found, pose, lifted, -1)
+        bool isPassed = lifted != pose && !UnionLift.IsOutOf(found, lifted, lift, motion, -1)
             && !ConvexQuery.Cast(shape, lifted, motion, other, at, Vector3.Zero, most, within).MayHit;
         if (found.MayHit && isPassed) found = CastResult.Nothing(CastStatus.Miss, most, 0);
         MetFeature feature = found.Status == CastStatus.Hit
@@ -100,10 +100,11 @@ internal sealed class SceneSet
 
     /// <summary>Where a body is out of all objects that it may see.</summary>
     public RigidPose Lifted(
-        ConvexShape shape, RigidPose pose, Vector3 motion, float most, in QueryFilter filter, in CastOptions options)
+        ConvexShape shape, RigidPose pose, Vector3 motion, float most, in QueryFilter filter, in CastOptions options,
+        out Double3 lift)
     {
         var union = new EachAlone(this, shape, pose, motion, most, [.. Seen(filter)]);
-        UnionLift.TryLift(ref union, options, out RigidPose lifted);
+        UnionLift.TryLift(ref union, options, out RigidPose lifted, out lift);
         return lifted;
     }
 
@@ -142,7 +143,7 @@ internal sealed class SceneSet
             var first = new CastHit(CastResult.Nothing(CastStatus.Miss, limit, 0));
             foreach (int i in seen)
             {
-                CastHit hit = set.CastAt(i, shape, pose, way, limit, options, pose).Of(i);
+                CastHit hit = set.CastAt(i, shape, pose, way, limit, options, pose, default).Of(i);
                 if (hit.Result.MayHit && (first.Id < 0 || hit.CompareTo(first) < 0)) first = hit;
             }
 

@@ -61,9 +61,9 @@ public class ScenePathTests
                 QueryFilter filter = set.Filter();
                 CastOptions options = set.Options();
                 if (set.Rng.Below(10) == 0) motion = default;
-                RigidPose lifted = set.Lifted(shape, pose, motion, most, filter, options);
+                RigidPose lifted = set.Lifted(shape, pose, motion, most, filter, options, out Double3 lift);
                 CastHit[] expected = [.. set.Seen(filter).Select(
-                    i => set.CastAt(i, shape, pose, motion, most, options, lifted).Of(i))
+                    i => set.CastAt(i, shape, pose, motion, most, options, lifted, lift).Of(i))
                     .Where(h => h.Result.Status != CastStatus.Miss).Order()];
                 counts[expected.Length > 0 ? 1 : 0]++;
 
