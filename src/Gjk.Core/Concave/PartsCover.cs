@@ -72,8 +72,8 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         return JoinedGrounds.IsOn(scratch, Side, isA, Part(ref room), Side.Local(point));
     }
 
-    /// <summary>The plane in which the body ends near the witness, before what is just beyond that; the way out where
-    /// that is in it.</summary>
+    /// <summary>The plane in which the body ends near the witness: before what is just beyond that, or across the way
+    /// out where that is in it.</summary>
     public OpenPlane EndNear()
     {
         Double3 witness = Witness;
@@ -91,7 +91,10 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 if (!IsBeside(near, side, true)) continue;
                 int part = isA ? near.PartA : near.PartB;
                 var pose = new RigidPose((Vector3)FlushSides.Beside(witness, Outward, side.MiddleOfPart(part)));
-                DistanceResult found = ConvexQuery.Distance(side.Part(part, ref room), side.Pose, shape, pose);
+                ref readonly ConvexShape beside = ref side.Part(part, ref room);
+                DistanceResult found = ConvexQuery.Distance(beside, side.Pose, shape, pose);
+                if (found.Distance == 0)
+                    found = ConvexQuery.SignedDistance(beside, side.Pose, Along(beside.BoundingRadius), pose);
                 if (SeamContacts.Judge(side, part, found.Normal) != ContactFit.Stays) continue;
                 if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
             }
@@ -99,4 +102,9 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
 
         return new OpenPlane(least.PointA, least.Normal, 0);
     }
+
+    /// <summary>A line along the way out: of a part that it crosses it leaves across that way, and not through the side
+    /// that is shared.</summary>
+    private ConvexShape Along(double reach) =>
+        ConvexShape.Segment((Vector3)(Outward * -reach), (Vector3)(Outward * reach));
 }
