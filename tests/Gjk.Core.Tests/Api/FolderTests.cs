@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3561,
+        ["Concave"] = 3577,
         ["Concave/Trees"] = 735,
         ["Contacts"] = 1039,
         ["Cores"] = 567,
