@@ -31,12 +31,12 @@ public static partial class PairBatch
         Guard.NotNaN(maxFraction, nameof(maxFraction));
         Workers.Run(
             workers, new CastJob(shapes, poses, translations, pairs, results, maxFraction, options), pairs.Length,
-            PartLength, cancellation);
+            ShareLength, cancellation);
     }
 
     private readonly struct CastJob(
         ConvexShape[] shapes, RigidPose[] poses, Vector3[] translations, ObjectPair[] pairs, CastResult[] results,
-        float maxFraction, CastOptions options) : IPartJob
+        float maxFraction, CastOptions options) : IShareJob
     {
         public void Run(int begin, int end)
         {

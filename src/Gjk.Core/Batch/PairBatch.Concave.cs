@@ -2,8 +2,8 @@ namespace Gjk.Core;
 
 public static partial class PairBatch
 {
-    /// <summary>Pairs per part where shapes are not convex: each costs as much as many convex ones.</summary>
-    internal const int ConcavePartLength = 8;
+    /// <summary>Pairs per share where shapes are not convex: each costs as much as many convex ones.</summary>
+    internal const int ConcaveShareLength = 8;
 
     /// <summary>How far apart each pair of shapes is, which need not be convex.</summary>
     /// <param name="shapes">The shapes.</param>
@@ -34,12 +34,12 @@ public static partial class PairBatch
         Guard.NotNaN(maxDistance, nameof(maxDistance));
         Workers.Run(
             workers, new ConcaveDistanceJob(shapes, poses, pairs, results, scratch, warmStarts, maxDistance),
-            pairs.Length, ConcavePartLength, cancellation);
+            pairs.Length, ConcaveShareLength, cancellation);
     }
 
     private readonly struct ConcaveDistanceJob(
         AnyShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, PairDistance[] results, ConcaveScratch scratches,
-        PartWarmStart[]? warmStarts, float maxDistance) : IPartJob
+        PartWarmStart[]? warmStarts, float maxDistance) : IShareJob
     {
         public void Run(int begin, int end)
         {

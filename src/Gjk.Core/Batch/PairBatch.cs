@@ -7,9 +7,9 @@ namespace Gjk.Core;
 /// <c>default</c> shape or pose among them gives <see cref="GjkStatus.InvalidInput"/> for its pairs alone.</remarks>
 public static partial class PairBatch
 {
-    /// <summary>Pairs per part: some 20 to 100 microseconds of work, long against the taking of a part, short against a
-    /// frame.</summary>
-    internal const int PartLength = 128;
+    /// <summary>Pairs per share: some 20 to 100 microseconds of work, long against the taking of a share, short against
+    /// a frame.</summary>
+    internal const int ShareLength = 128;
 
     /// <summary>Whether each pair overlaps.</summary>
     /// <param name="shapes">The shapes.</param>
@@ -30,7 +30,7 @@ public static partial class PairBatch
         CancellationToken cancellation = default)
     {
         Check(shapes, poses, pairs, Guard.NotNull(results, nameof(results)).Length);
-        Workers.Run(workers, new OverlapJob(shapes, poses, pairs, results), pairs.Length, PartLength, cancellation);
+        Workers.Run(workers, new OverlapJob(shapes, poses, pairs, results), pairs.Length, ShareLength, cancellation);
     }
 
     /// <summary>How far apart each pair is.</summary>
@@ -56,7 +56,7 @@ public static partial class PairBatch
         Guard.NotNaN(maxDistance, nameof(maxDistance));
         Workers.Run(
             workers, new DistanceJob(shapes, poses, pairs, results, null, maxDistance), pairs.Length,
-            PartLength, cancellation);
+            ShareLength, cancellation);
     }
 
     /// <summary>As the other, each pair beginning where its last query ended: much faster for pairs that move
@@ -86,7 +86,7 @@ public static partial class PairBatch
         Guard.NotNaN(maxDistance, nameof(maxDistance));
         Workers.Run(
             workers, new DistanceJob(shapes, poses, pairs, results, warmStarts, maxDistance), pairs.Length,
-            PartLength, cancellation);
+            ShareLength, cancellation);
     }
 
     /// <summary>How far apart each pair is, or how deep it overlaps.</summary>
@@ -108,7 +108,7 @@ public static partial class PairBatch
     {
         Check(shapes, poses, pairs, Guard.NotNull(results, nameof(results)).Length);
         Workers.Run(
-            workers, new SignedDistanceJob(shapes, poses, pairs, results), pairs.Length, PartLength, cancellation);
+            workers, new SignedDistanceJob(shapes, poses, pairs, results), pairs.Length, ShareLength, cancellation);
     }
 
     private static void Check<TShape>(TShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, int resultCount)
@@ -130,7 +130,7 @@ public static partial class PairBatch
     }
 
     private readonly struct SignedDistanceJob(
-        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results) : IPartJob
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results) : IShareJob
     {
         public void Run(int begin, int end)
         {
@@ -143,7 +143,7 @@ public static partial class PairBatch
     }
 
     private readonly struct OverlapJob(
-        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, GjkStatus[] results) : IPartJob
+        ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, GjkStatus[] results) : IShareJob
     {
         public void Run(int begin, int end)
         {
@@ -166,7 +166,7 @@ public static partial class PairBatch
 
     private readonly struct DistanceJob(
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, WarmStart[]? warmStarts,
-        float maxDistance) : IPartJob
+        float maxDistance) : IShareJob
     {
         public void Run(int begin, int end)
         {

@@ -28,13 +28,13 @@ public static class RayBatch
     {
         RayQuery.Check(rays, results);
         Workers.Run(
-            workers, new RayJob(shape, pose, rays, results, options, sides), rays.Length, PairBatch.PartLength,
+            workers, new RayJob(shape, pose, rays, results, options, sides), rays.Length, PairBatch.ShareLength,
             cancellation);
     }
 
     private readonly struct RayJob(
         ConvexShape shape, RigidPose pose, RayQuery[] rays, RayCastResult[] results, CastOptions options,
-        RaySides sides) : IPartJob
+        RaySides sides) : IShareJob
     {
         public void Run(int begin, int end)
         {

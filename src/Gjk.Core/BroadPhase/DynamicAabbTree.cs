@@ -138,7 +138,7 @@ public sealed class DynamicAabbTree : IBroadPhase
     /// them.</summary>
     internal void UpdateLeaves() => _pairs.UpdateLeaves();
 
-    private readonly struct MoveJob(DynamicAabbTree tree, int[] ids, Aabb[] bounds) : IPartJob
+    private readonly struct MoveJob(DynamicAabbTree tree, int[] ids, Aabb[] bounds) : IShareJob
     {
         public void Run(int begin, int end)
         {

@@ -210,7 +210,7 @@ internal sealed class PairBudget(BoundsTable table)
         Limit = isUnlimited ? int.MaxValue : (int)Math.Min(LimitFor(table.Count, 0), int.MaxValue);
     }
 
-    /// <summary>Looks how many of the pairs found are true ones; if they are enough, the limit rises.</summary>
+    /// <summary>Counts how many of the pairs found are near indeed; where there are enough, the limit rises.</summary>
     public bool Allows(PairKeys found)
     {
         if (_isUnlimited) return true;

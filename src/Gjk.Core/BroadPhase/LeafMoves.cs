@@ -8,7 +8,7 @@ internal sealed class LeafMoves
     private const int LeastToShare = 64;
 
     /// <summary>Count of leaves whose subtrees are looked up by one thread in turn. A matter of speed only.</summary>
-    private const int PartLength = 256;
+    private const int ShareLength = 256;
 
     private readonly int[] _starts = new int[AabbTree.MostSubtrees + 2];
 
@@ -37,7 +37,7 @@ internal sealed class LeafMoves
         IdSet moved = leaves.Unplaced;
         count = moved.Count;
         if (count < LeastToShare || !leaves.Tree.TryCut()) return moved.Ids;
-        Workers.Run(workers, new SearchJob(leaves, _subtrees), count, PartLength, CancellationToken.None);
+        Workers.Run(workers, new SearchJob(leaves, _subtrees), count, ShareLength, CancellationToken.None);
         leaves.Tree.BeginMoves();
         Order(moved);
         var job = new MoveJob(leaves, _ordered, _starts);
@@ -57,7 +57,7 @@ internal sealed class LeafMoves
     }
 
     /// <summary>Which subtrees objects are in and stay in.</summary>
-    private readonly struct SearchJob(FatLeaves leaves, byte[] subtrees) : IPartJob
+    private readonly struct SearchJob(FatLeaves leaves, byte[] subtrees) : IShareJob
     {
         public void Run(int begin, int end)
         {
@@ -71,7 +71,7 @@ internal sealed class LeafMoves
     }
 
     /// <summary>Moves the objects of subtrees, which are numbered from 1.</summary>
-    private readonly struct MoveJob(FatLeaves leaves, int[] ordered, int[] starts) : IPartJob
+    private readonly struct MoveJob(FatLeaves leaves, int[] ordered, int[] starts) : IShareJob
     {
         public void Run(int begin, int end)
         {

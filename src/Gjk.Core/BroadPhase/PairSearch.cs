@@ -5,7 +5,7 @@ namespace Gjk.Core;
 internal sealed class PairSearch(FatLeaves leaves)
 {
     /// <summary>Count of objects whose pairs are looked up by one thread in turn. A matter of speed only.</summary>
-    private const int PartLength = 256;
+    private const int ShareLength = 256;
 
     private readonly Stack<PairKeys> _idle = new();
     private long _visits;
@@ -24,7 +24,7 @@ internal sealed class PairSearch(FatLeaves leaves)
         found.Count = 0;
         _visits = 0;
         Workers.Run(
-            workers, new Job(this, leaves, objects, margin, most), objects.Count, PartLength, CancellationToken.None);
+            workers, new Job(this, leaves, objects, margin, most), objects.Count, ShareLength, CancellationToken.None);
         leaves.Tree.Count(_visits);
         foreach (PairKeys list in _idle) found.Append(list);
         return found.Count <= most;
@@ -45,7 +45,7 @@ internal sealed class PairSearch(FatLeaves leaves)
     }
 
     private readonly struct Job(PairSearch search, FatLeaves leaves, IdSet objects, float margin, long most)
-        : IPartJob
+        : IShareJob
     {
         public void Run(int begin, int end)
         {

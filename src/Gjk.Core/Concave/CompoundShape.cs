@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// <see cref="TriangleMesh"/>. It is a copy: <see cref="HeightField.SetHeights"/> does not change it. What is inside a
 /// solid child is inside the compound.</remarks>
 [DebuggerDisplay("{" + nameof(PartCount) + "} parts")]
-public sealed partial class CompoundShape
+public sealed partial class CompoundShape : IPartSource
 {
     /// <summary>Ratio to a part's size: more than a curved support may lie inside its shape, so that a box of six
     /// supports holds it.</summary>
@@ -27,9 +27,6 @@ public sealed partial class CompoundShape
     private readonly CompoundShape? _unscaled;
 
     private readonly Vector3 _scale;
-
-    /// <summary>Null until it is asked for.</summary>
-    private IPartSource? _source;
 
     /// <summary>The tree over the parts.</summary>
     internal readonly PartTree Tree;
@@ -155,9 +152,6 @@ public sealed partial class CompoundShape
     /// <exception cref="ArgumentOutOfRangeException">A factor is 0, NaN or infinite.</exception>
     public CompoundShape Scaled(Vector3 scale) => new(this, Guard.Scale(scale, nameof(scale)), null);
 
-    /// <summary>The parts as a tree is built of them.</summary>
-    internal IPartSource Source => _source ??= new PartSource(this);
-
     /// <summary>The parts, not to be written to.</summary>
     internal ConvexShape[] Parts => _parts;
 
@@ -176,8 +170,8 @@ public sealed partial class CompoundShape
     }
 
     private PartTree TreeLike(PartTree? like) => like is null
-        ? PartTreeBuilder.Build(Source, leafSize: 1, mostInLeaf: 1)
-        : PartTreeRefit.Fit(Source, like);
+        ? PartTreeBuilder.Build(this, leafSize: 1, mostInLeaf: 1)
+        : PartTreeRefit.Fit(this, like);
 
     private CompoundShape Moved(RigidPose[] poses) => _unscaled is null
         ? new CompoundShape(this, poses)
@@ -207,16 +201,13 @@ public sealed partial class CompoundShape
         ? index
         : throw new ArgumentOutOfRangeException(name, index, $"There are {count}, counted from 0.");
 
-    private sealed class PartSource(CompoundShape compound) : IPartSource
+    int IPartSource.Count => PartCount;
+
+    void IPartSource.GetBox(int part, out Double3 min, out Double3 max) => (min, max) = Boxes[part];
+
+    bool IPartSource.TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
     {
-        public int Count => compound.PartCount;
-
-        public void GetBox(int part, out Double3 min, out Double3 max) => (min, max) = compound.Boxes[part];
-
-        public bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
-        {
-            a = b = c = default;
-            return false;
-        }
+        a = b = c = default;
+        return false;
     }
 }

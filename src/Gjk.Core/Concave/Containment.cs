@@ -69,9 +69,12 @@ internal static class Containment
     private static SolidInside? Holder(ConcaveScratch scratch, PartSide outer, in VectorDD local)
     {
         foreach (SolidInside inside in outer.Insides)
-            if (scratch.Winding.About(inside.Mesh, inside.ToMesh(local)) != 0) return inside;
+            if (IsIn(scratch, inside, local)) return inside;
         return null;
     }
+
+    private static bool IsIn(ConcaveScratch scratch, SolidInside inside, in VectorDD local) =>
+        inside.MayHold((Double3)local) && scratch.Winding.About(inside.Mesh, inside.ToMesh(local)) != 0;
 
     private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved)
     {
@@ -123,10 +126,8 @@ internal static class Containment
         VectorDD local = VectorDD.ToFrame(outer.Pose, VectorDD.ToWorld(inner.Pose, point) + (VectorDD)moved);
         for (int i = 0; i < outer.Insides.Length; i++)
         {
-            SolidInside inside = outer.Insides[i];
-            bool isIn = scratch.Winding.About(inside.Mesh, inside.ToMesh(local)) != 0
-                && !IsOnSurface(scratch, outer.Unit(i), (Vector3)(Double3)local);
-            if (isIn) return true;
+            if (!IsIn(scratch, outer.Insides[i], local)) continue;
+            if (!IsOnSurface(scratch, outer.Unit(i), (Vector3)(Double3)local)) return true;
         }
 
         return false;

@@ -8,6 +8,10 @@ internal static class CoveredSides
     /// parts whose places are rounded.</summary>
     public const double Room = 4 * ContactCone.Slack;
 
+    /// <summary>Ratio to a place: 2^-22, twice what the positions of two flush parts lose in float. Without it seams
+    /// far out are kerbs, as FarTilesTests shows, where a quarter is enough.</summary>
+    private const double Rounding = 1.0 / (1 << 22);
+
     /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane, and so far
     /// beyond a witness what the union shows there. A plane across a side is turned from it by 26 degrees or
     /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
@@ -43,12 +47,9 @@ internal static class CoveredSides
         foreach (OpenPlane plane in planes)
         {
             Double3 to = one.Foot - plane.Foot;
-            double least = Room * to.SumOfMagnitudes;
-            if (plane.Depth >= one.Depth && (plane.Normal - one.Normal).SumOfMagnitudes <= Room
-                && Math.Abs(Double3.Dot(to, one.Normal)) <= least)
-            {
-                return;
-            }
+            bool isAsDeep = plane.Depth >= one.Depth && (plane.Normal - one.Normal).SumOfMagnitudes <= Room;
+            double least = Room * to.SumOfMagnitudes + RoundingAt(one.Foot);
+            if (isAsDeep && Math.Abs(Double3.Dot(to, one.Normal)) <= least) return;
         }
 
         planes.Add(one);
@@ -170,21 +171,19 @@ internal static class CoveredSides
         return new ManifoldPoint((Vector3)foot, (Vector3)tip, local, localTip, (float)gap, 0);
     }
 
-    /// <summary>Whether a part of a body, but not the given one, holds a point of the world and reaches beyond
-    /// it.</summary>
-    public static bool GoesOn(
-        ConcaveScratch scratch, PartSide side, int but, in Double3 inWorld, in Double3 along)
+    /// <summary>Whether a part, but not the given one, holds a point of the world and reaches beyond it.</summary>
+    public static bool GoesOn(ConcaveScratch scratch, PartSide side, int but, in Double3 inWorld, in Double3 along)
     {
-        Double3 point = side.Local(inWorld), direction = side.Turned(along);
-        if (side.Mesh is null && side.Compound is null) return GoesOn(side.Convex(0), point, direction);
+        (Double3 point, Double3 direction, double rounding) = (side.Local(inWorld), side.Turned(along), side.Rounding);
+        if (side.Mesh is null && side.Compound is null) return GoesOn(side.Convex(0), point, direction, rounding);
         if (JoinedGrounds.IsInside(scratch, side, inWorld, along)) return true;
         ConvexShape room = default;
         if (side.PartCount <= FewParts)
         {
             for (int part = 0; part < side.PartCount; part++)
             {
-                if (part != but && !IsClear(side, part, point) && GoesOn(side.Part(part, ref room), point, direction))
-                    return true;
+                if (part == but || IsClear(side, part, point)) continue;
+                if (GoesOn(side.Part(part, ref room), point, direction, rounding)) return true;
             }
 
             return false;
@@ -194,12 +193,12 @@ internal static class CoveredSides
         ConcaveQuery.FindPairsWithin(
             side.Mesh is not null ? AnyShape.Surface(side.Mesh) : AnyShape.Of(side.Compound!), RigidPose.Identity,
             AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
-            (float)(2 * Room * (side.Tree.Radius + point.Length)), near, near.Pairs);
+            (float)(2 * (Room * (side.Tree.Radius + point.Length) + rounding)), near, near.Pairs);
         bool goesOn = false;
         for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
         {
             int part = near.Pairs[i].PartA;
-            goesOn = part != but && GoesOn(side.Part(part, ref room), point, direction);
+            goesOn = part != but && GoesOn(side.Part(part, ref room), point, direction, rounding);
         }
 
         scratch.Return(near);
@@ -207,22 +206,23 @@ internal static class CoveredSides
     }
 
     /// <summary>Whether a shape holds a point of its frame and reaches beyond it.</summary>
-    public static bool GoesOn(in ConvexShape shape, in Double3 point, in Double3 direction)
+    public static bool GoesOn(in ConvexShape shape, in Double3 point, in Double3 direction, double rounding)
     {
         shape.Support(direction, out Double3 most);
         Double3 to = shape.Center + most + direction * shape.Margin - point;
         double length = to.Length;
-        if (!(Double3.Dot(to, direction) > 2 * Room * length)) return false;
-        return IsWithin(shape, point, Room * (length + point.Length));
+        if (!(Double3.Dot(to, direction) > 2 * (Room * length + rounding))) return false;
+        return IsWithin(shape, point, Room * (length + point.Length) + rounding);
     }
 
-    /// <summary>Whether a part of a mesh or compound is certainly too far from a point to hold it.</summary>
-    public static bool IsClear(PartSide side, int part, in Double3 point)
+    /// <summary>Whether a part of a mesh or compound is certainly further from a point than a gap.</summary>
+    public static bool IsClear(PartSide side, int part, in Double3 point, double gap = 0)
     {
         if (side.Compound is { } compound)
         {
             Double3 below = compound.Boxes[part].Min - point, above = point - compound.Boxes[part].Max;
-            double room = 2 * Room * (below.SumOfMagnitudes + above.SumOfMagnitudes + point.SumOfMagnitudes);
+            double room = 2 * Room * (below.SumOfMagnitudes + above.SumOfMagnitudes + point.SumOfMagnitudes)
+                + 2 * side.Rounding + gap;
             return Math.Max(Math.Max(below.X, above.X), Math.Max(below.Y, above.Y)) > room
                 || Math.Max(below.Z, above.Z) > room;
         }
@@ -230,10 +230,10 @@ internal static class CoveredSides
         if (side.Mesh is null) return false;
         side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
         var reach = new TriangleReach(a, b, c, point);
-        return reach.IsBeyond(2 * Room * (reach.Size + point.SumOfMagnitudes));
+        return reach.IsBeyond(2 * (Room * (reach.Size + point.SumOfMagnitudes) + side.Rounding) + gap);
     }
 
-    /// <summary>Whether a plane is across the direction of a contact: no other one buries it.</summary>
+    /// <summary>Whether a plane is across a contact's direction: no other one buries it.</summary>
     public static bool IsAnyAcross(List<OpenPlane> planes, in Double3 outward)
     {
         foreach (OpenPlane plane in planes)
@@ -244,8 +244,11 @@ internal static class CoveredSides
     private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
         Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
+    /// <summary>World units: by so much rounding moves what is at a place.</summary>
+    public static double RoundingAt(in Double3 place) => Rounding * place.SumOfMagnitudes;
+
     public static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
-        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes);
+        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes) + RoundingAt(pose.Position);
 
     /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and
     /// covered there.</summary>
@@ -275,7 +278,8 @@ internal static class CoveredSides
         Double3 local = turn.InverseRotate(point - pose.Position), beyond = turn.InverseRotate(direction);
         own.Support(beyond, out Double3 most);
         double length = (own.Center - local).Length + most.Length + own.Margin + local.Length;
-        return IsWithin(own, local + beyond * (Beyond * Room * length), Room * length);
+        double room = Room * length + RoundingAt(pose.Position);
+        return IsWithin(own, local + beyond * (Beyond * room), room);
     }
 
     /// <summary>Whether a shape is no further than so much from a point of its frame, which is rounded to float. What

@@ -26,7 +26,7 @@ internal static class FlushSides
         point + outward * StepAt(point, size);
 
     private static double StepAt(in Double3 point, double size) =>
-        CoveredSides.Beyond * CoveredSides.Room * (point.SumOfMagnitudes + size);
+        CoveredSides.Beyond * (CoveredSides.Room * size + CoveredSides.RoundingAt(point));
 
     /// <summary>Adds the plane in which the union ends where it goes on from a witness, if all of it ends
     /// there.</summary>
@@ -36,7 +36,7 @@ internal static class FlushSides
         if (!(Double3.Dot(end.Normal, cover.Outward) > Steepest)) return;
         ConvexShape room = default;
         bool goesOn = cover.GoesOn(end.Foot, end.Normal) || CoveredSides.GoesOn(
-            cover.Part(ref room), cover.Side.Local(end.Foot), cover.Side.Turned(end.Normal));
+            cover.Part(ref room), cover.Side.Local(end.Foot), cover.Side.Turned(end.Normal), cover.Side.Rounding);
         if (!goesOn) CoveredSides.Add(ends, end);
     }
 

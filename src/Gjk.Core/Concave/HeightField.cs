@@ -13,7 +13,7 @@ public sealed class HeightField
     internal HeightField(TriangleMesh mesh, HeightGrid grid)
     {
         (_mesh, Grid) = (mesh, grid);
-        _refit = new RegionRefit(mesh.Source, mesh.Tree);
+        _refit = new RegionRefit(mesh, mesh.Tree);
     }
 
     internal HeightGrid Grid { get; }

@@ -28,12 +28,29 @@ internal static class MeshClimb
                 Climb(mesh, ContactCone.Before(ring.Current), direction, ref corner, ref height);
             }
 
+            if (corner == before) ClimbOverFlat(mesh, before, direction, ref corner, ref height);
             if (corner != before) continue;
             corner = lowest;
             return true;
         }
 
         return false;
+    }
+
+    /// <summary>A corner on the long edge of a triangle without area hides what is joined to that edge.</summary>
+    private static void ClimbOverFlat(
+        TriangleMesh mesh, int side, in Double3 direction, ref int corner, ref double height)
+    {
+        for (CornerRing ring = mesh.SidesAt(side); ring.MoveNext();)
+        {
+            mesh.GetCorners(ring.Current / 3, out Double3 a, out Double3 b, out Double3 c);
+            if (!ContactCone.IsFlat(a, b, c)) continue;
+            for (CornerRing end = mesh.SidesAt(ContactCone.After(ring.Current)); end.MoveNext();)
+            {
+                Climb(mesh, ContactCone.After(end.Current), direction, ref corner, ref height);
+                Climb(mesh, ContactCone.Before(end.Current), direction, ref corner, ref height);
+            }
+        }
     }
 
     private static void Climb(TriangleMesh mesh, int side, in Double3 direction, ref int corner, ref double height)

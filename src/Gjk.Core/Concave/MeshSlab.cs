@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>Two parallel planes with all vertices of a flat mesh between them, and a cylinder across them with all
 /// vertices in it: so it is known, without a look at the vertices, how far the mesh reaches along a direction that is
 /// nearly across.</summary>
-internal sealed class MeshSlab
+internal sealed class MeshSlab(in Double3 normal, in Double3 middle, double low, double high, double radius)
 {
     /// <summary>Ratio of the thickness to the tree's radius: what is thicker is not called flat, since its planes would
     /// show little. A matter of speed only.</summary>
@@ -13,16 +13,10 @@ internal sealed class MeshSlab
     /// reach larger.</summary>
     private const double Error = 1.0 / (1L << 49);
 
-    private readonly Double3 _normal, _middle;
-    private readonly double _low, _high, _radius;
-
-    private MeshSlab(in Double3 normal, in Double3 middle, double low, double high, double radius)
-    {
-        (_normal, _middle, _low, _high, _radius) = (normal, middle, low, high, radius);
-    }
+    private readonly Double3 _middle = middle;
 
     /// <summary>A normal of the planes, a unit vector.</summary>
-    public Double3 Normal => _normal;
+    public readonly Double3 Normal = normal;
 
     /// <summary>The slab of a mesh, or null where it is not flat.</summary>
     public static MeshSlab? Of(TriangleMesh mesh)
@@ -46,10 +40,10 @@ internal sealed class MeshSlab
     /// <summary>How far the mesh reaches along a direction of its frame, at most.</summary>
     public double Reach(in Double3 direction)
     {
-        double across = Double3.Dot(direction, _normal);
-        Double3 rest = direction - _normal * across;
-        double reach = Math.Max(across * _low, across * _high) + Double3.Dot(rest, _middle) + rest.Length * _radius;
-        return reach + Error * (Math.Abs(_low) + Math.Abs(_high) + _middle.SumOfMagnitudes + _radius);
+        double across = Double3.Dot(direction, Normal);
+        Double3 rest = direction - Normal * across;
+        double reach = Math.Max(across * low, across * high) + Double3.Dot(rest, _middle) + rest.Length * radius;
+        return reach + Error * (Math.Abs(low) + Math.Abs(high) + _middle.SumOfMagnitudes + radius);
     }
 
     /// <summary>That of the first triangle with an area.</summary>

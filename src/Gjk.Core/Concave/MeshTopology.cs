@@ -12,6 +12,7 @@ internal sealed class MeshTopology
     /// <summary>The first vertex at the place of each; empty for a grid.</summary>
     private readonly int[] _joined = [];
 
+    private readonly List<int> _borders = [];
     private int _faulty;
 
     /// <param name="vertices">The vertices.</param>
@@ -24,9 +25,12 @@ internal sealed class MeshTopology
         _component = new int[vertices.Length];
         Around = RingsAround(_corners, vertices.Length);
         CountEdges();
+        Borders = [.. _borders];
+        BorderEdges = Borders.Length;
         Degenerate = CountDegenerate(vertices, indices);
         FindComponents();
         _corners = _indices = _component = [];
+        _borders = [];
     }
 
     /// <summary>The same triangles with their vertices moved, which joins mostly the same ones.</summary>
@@ -75,6 +79,13 @@ internal sealed class MeshTopology
     /// <summary>Of each side of a triangle (three times the triangle, and the corner at which it begins) the next one
     /// that begins at the same place, in a ring.</summary>
     public int[] Around { get; }
+
+    /// <summary>The sides that are edges of one triangle alone; empty for a grid.</summary>
+    public int[] Borders { get; } = [];
+
+    /// <summary><see cref="Around"/> with more triangles.</summary>
+    public int[] AroundWith(int[] indices, int[] more) =>
+        RingsAround(Array.ConvertAll([.. indices, .. more], i => _joined[i]), _joined.Length);
 
     public int Degenerate { get; private set; }
 
@@ -149,7 +160,7 @@ internal sealed class MeshTopology
     private void CountEdge(int along, int against, int first)
     {
         int count = along + against;
-        if (count == 1) BorderEdges++;
+        if (count == 1) _borders.Add(first);
         if (count % 2 != 0) IsClosed = false;
         if (Math.Abs(along - against) > 1) IsOriented = false;
         if (along == against || (FaultyA >= 0 && first > _faulty)) return;

@@ -73,12 +73,8 @@ internal struct PartPairSearch
 
         // Most pairs of a scene are so far apart that the balls around them tell.
         if (search.Frame.LeastDistanceSquared > search.Reached) return;
-        if (search.PartA < 0 && scratch.Plane.IsSlabBeyond(scratch.A, scratch.B, search.Limit))
-        {
-            search.LowerBound = Math.Min(search.LowerBound, scratch.Plane.LowerBound);
-            return;
-        }
-
+        PlaneProof plane = scratch.Plane;
+        if (search.PartA < 0 && search.Drops(plane, plane.IsSlabBeyond(scratch.A, scratch.B, search.Limit))) return;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         heap.Clear();
@@ -88,8 +84,18 @@ internal struct PartPairSearch
             while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search.Reached)
             {
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
-                if (search.IsTimeForWhole(heap) && scratch.Plane.IsUntried && search.IsNoNearer(scratch)) return;
-                if (search._idle >= IdleBeforeProof && search.IsNoNearer(scratch, pair.A, pair.B)) continue;
+                if (search.IsTimeForWhole(heap) && plane.IsUntried
+                    && search.Drops(plane, plane.IsWholeNoNearer(scratch.A, scratch.B)))
+                {
+                    return;
+                }
+
+                if (search._idle >= IdleBeforeProof && plane.IsSet
+                    && search.Drops(plane, plane.IsNoNearer(scratch.A, pair.A, scratch.B, pair.B)))
+                {
+                    continue;
+                }
+
                 if (childA < 0 && childB < 0)
                 {
                     search.AskLeaves(scratch, pair.A, childA, pair.B, childB);
@@ -136,20 +142,11 @@ internal struct PartPairSearch
         return isA;
     }
 
-    /// <summary>Whether a plane shows that no pair is nearer.</summary>
-    private bool IsNoNearer(ConcaveScratch scratch)
+    /// <summary>Notes how near what is dropped may be, if a plane shows that it is no nearer.</summary>
+    private bool Drops(PlaneProof plane, bool isShown)
     {
-        if (!scratch.Plane.IsWholeNoNearer(scratch.A, scratch.B)) return false;
-        LowerBound = Math.Min(LowerBound, scratch.Plane.LowerBound);
-        return true;
-    }
-
-    /// <summary>Whether a plane shows that the pairs below two boxes are no nearer.</summary>
-    private bool IsNoNearer(ConcaveScratch scratch, int a, int b)
-    {
-        if (!scratch.Plane.IsSet || !scratch.Plane.IsNoNearer(scratch.A, a, scratch.B, b)) return false;
-        LowerBound = Math.Min(LowerBound, scratch.Plane.LowerBound);
-        return true;
+        if (isShown) LowerBound = Math.Min(LowerBound, plane.LowerBound);
+        return isShown;
     }
 
     private void AskLeaves(ConcaveScratch scratch, int boxA, int leafA, int boxB, int leafB)
@@ -175,9 +172,8 @@ internal struct PartPairSearch
                 bool isDropped = plane.IsSet && (isOneA
                     ? plane.IsPartNoNearer(scratch.A, boxA, scratch.B, partB)
                     : plane.IsNoNearerPart(scratch.A, partA, scratch.B, boxB));
-                if (isDropped || IsFaceNoNearer(scratch, partA, partB))
-                    LowerBound = Math.Min(LowerBound, plane.LowerBound);
-                else if (All is null || !PlaneProof.IsBeyond(scratch.A, partA, scratch.B, partB, Limit))
+                if (Drops(plane, isDropped || IsFaceNoNearer(scratch, partA, partB))) continue;
+                if (All is null || !PlaneProof.IsBeyond(scratch.A, partA, scratch.B, partB, Limit))
                     Ask(scratch, partA, partB);
             }
         }
@@ -191,8 +187,7 @@ internal struct PartPairSearch
         while (filter.TryTake(Reached, out int i, out int j))
         {
             int partA = scratch.A.Tree.Order[firstA + i], partB = scratch.B.Tree.Order[firstB + j];
-            if (IsFaceNoNearer(scratch, partA, partB)) LowerBound = Math.Min(LowerBound, scratch.Plane.LowerBound);
-            else Ask(scratch, partA, partB);
+            if (!Drops(scratch.Plane, IsFaceNoNearer(scratch, partA, partB))) Ask(scratch, partA, partB);
             if (All is null && PartA >= 0 && Best.IsOverlapping) return;
         }
     }

@@ -9,6 +9,9 @@ internal sealed class PartSide
 
     public RigidPose Pose;
 
+    /// <summary>World units: what rounding may make of its place.</summary>
+    public double Rounding => CoveredSides.RoundingAt(Pose.Position);
+
     public PartTree Tree = null!;
 
     public TriangleMesh? Mesh;
@@ -143,9 +146,16 @@ internal sealed class PartSide
     /// is no triangle of a solid.</summary>
     public int OutwardOf(int part)
     {
-        if (!HasInside) return 0;
-        foreach (SolidInside inside in Insides)
-            if (part >= inside.First && part < inside.End) return inside.OutwardOf(part);
+        int low = 0, high = Insides.Length;
+        while (low < high)
+        {
+            int middle = (low + high) / 2;
+            SolidInside inside = Insides[middle];
+            if (part < inside.First) high = middle;
+            else if (part >= inside.End) low = middle + 1;
+            else return inside.OutwardOf(part);
+        }
+
         return 0;
     }
 

@@ -50,7 +50,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 PairDistance near = scratch.Pairs[k];
                 int part = isA ? near.PartA : near.PartB;
                 if (!IsBeside(near, side, isJoint) || CoveredSides.IsClear(side, part, local)) continue;
-                if (CoveredSides.GoesOn(side.Part(part, ref room), local, along)) return true;
+                if (CoveredSides.GoesOn(side.Part(part, ref room), local, along, side.Rounding)) return true;
             }
         }
 
@@ -90,13 +90,16 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 PairDistance near = scratch.Pairs[k];
                 if (!IsBeside(near, side, true)) continue;
                 int part = isA ? near.PartA : near.PartB;
-                var pose = new RigidPose((Vector3)FlushSides.Beside(witness, Outward, side.MiddleOfPart(part)));
+                Double3 point = FlushSides.Beside(witness, Outward, side.MiddleOfPart(part));
+                bool isAny = least.Status != GjkStatus.None;
+                if (isAny && CoveredSides.IsClear(side, part, side.Local(point), Math.Max(least.Distance, 0))) continue;
+                var pose = new RigidPose((Vector3)point);
                 ref readonly ConvexShape beside = ref side.Part(part, ref room);
                 DistanceResult found = ConvexQuery.Distance(beside, side.Pose, shape, pose);
                 if (found.Distance == 0)
                     found = ConvexQuery.SignedDistance(beside, side.Pose, Along(beside.BoundingRadius), pose);
                 if (SeamContacts.Judge(side, part, found.Normal) != ContactFit.Stays) continue;
-                if (least.Status == GjkStatus.None || found.Distance < least.Distance) least = found;
+                if (!isAny || found.Distance < least.Distance) least = found;
             }
         }
 

@@ -107,7 +107,7 @@ internal sealed class PlaneProof
         Double3 normal = direction;
         if (!TryFace(side, part, 0, ref normal)) return false;
         Across(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
-        return between - Reaches.OfPart(a, partA, alongA) - Reaches.OfPart(b, partB, alongB) > _limit;
+        return between - ReachOf(a, partA, alongA) - ReachOf(b, partB, alongB) > _limit;
     }
 
     /// <summary>Whether a plane across the line of two parts' centres shows that they are further apart than the limit:
@@ -118,7 +118,7 @@ internal sealed class PlaneProof
         Double3 normal = b.CenterOf(partB) - a.CenterOf(partA);
         normal *= 1 / normal.Length;
         double lengths = Across(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
-        return between - Reaches.OfPart(a, partA, alongA) - Reaches.OfPart(b, partB, alongB) > Beyond(limit, lengths);
+        return between - ReachOf(a, partA, alongA) - ReachOf(b, partB, alongB) > Beyond(limit, lengths);
     }
 
     private static double Beyond(float limit, double lengths) =>
@@ -180,11 +180,11 @@ internal sealed class PlaneProof
 
     /// <summary>Whether a part of A is no nearer than what is below a box of B.</summary>
     public bool IsNoNearerPart(PartSide a, int partA, PartSide b, int boxB) =>
-        _between - Reaches.OfPart(a, partA, _alongA) - _b.Of(b, boxB, _alongB, _version) > _limit;
+        _between - ReachOf(a, partA, _alongA) - _b.Of(b, boxB, _alongB, _version) > _limit;
 
     /// <inheritdoc cref="IsNoNearerPart"/>
     public bool IsPartNoNearer(PartSide a, int boxA, PartSide b, int partB) =>
-        _between - _a.Of(a, boxA, _alongA, _version) - Reaches.OfPart(b, partB, _alongB) > _limit;
+        _between - _a.Of(a, boxA, _alongA, _version) - ReachOf(b, partB, _alongB) > _limit;
 
     /// <summary>Takes a triangle's own normal if it is the one, since a float's rounding tilts a plane.</summary>
     private static bool TryFace(PartSide side, int part, double aligned, ref Double3 normal)
@@ -200,7 +200,19 @@ internal sealed class PlaneProof
     }
 
     /// <summary>How far a part reaches along a direction of its shape's frame.</summary>
-    public static double ReachOf(PartSide side, int part, in Double3 along) => Reaches.OfPart(side, part, along);
+    public static double ReachOf(PartSide side, int part, in Double3 along)
+    {
+        if (side.Mesh is not null)
+        {
+            side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+            return Math.Max(Math.Max(Double3.Dot(along, a), Double3.Dot(along, b)), Double3.Dot(along, c));
+        }
+
+        ConvexShape room = default;
+        ref readonly ConvexShape shape = ref side.Part(part, ref room);
+        shape.Support(along, out Double3 point);
+        return Double3.Dot(along, shape.Center + point) + shape.Margin;
+    }
 
     private static double Length(PartSide side) =>
         2 * (side.Tree.Origin.SumOfMagnitudes + side.Tree.Radius) + side.Margin;
@@ -223,20 +235,6 @@ internal sealed class PlaneProof
             return Find(side, box, along, version);
         }
 
-        public static double OfPart(PartSide side, int part, in Double3 along)
-        {
-            if (side.Mesh is not null)
-            {
-                side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-                return Math.Max(Math.Max(Double3.Dot(along, a), Double3.Dot(along, b)), Double3.Dot(along, c));
-            }
-
-            ConvexShape room = default;
-            ref readonly ConvexShape shape = ref side.Part(part, ref room);
-            shape.Support(along, out Double3 point);
-            return Double3.Dot(along, shape.Center + point) + shape.Margin;
-        }
-
         private double Find(PartSide side, int box, in Double3 along, int version)
         {
             if (_versions[box] == version) return _values[box];
@@ -251,7 +249,7 @@ internal sealed class PlaneProof
             else
             {
                 int first = PartTree.FirstOf(child), end = first + PartTree.CountOf(child);
-                for (int i = first; i < end; i++) most = Math.Max(most, OfPart(side, tree.Order[i], along));
+                for (int i = first; i < end; i++) most = Math.Max(most, ReachOf(side, tree.Order[i], along));
             }
 
             _versions[box] = version;

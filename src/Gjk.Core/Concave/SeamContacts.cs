@@ -110,7 +110,7 @@ internal static class SeamContacts
                 contacts[kept++] = one;
             }
             else if (areAtJoints[i] && FlushSides.TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
-            else if (AreLevel(one.Result, isA)) Replace(scratch, isA, one, areAtJoints[i], maxGap);
+            else if (AreLevel(scratch, one, isA)) Replace(scratch, isA, one, areAtJoints[i], maxGap);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
@@ -125,16 +125,19 @@ internal static class SeamContacts
             FaceContact face = faces[i];
             bool isAtJoint = IsAtJoint(scratch, isA, face.Contact);
             if (!IsCovered(scratch, isA, face.Contact, isAtJoint)) faces[kept++] = face;
-            else if (AreLevel(face.Contact.Result, isA)) scratch.Orphans.Add(face);
+            else if (AreLevel(scratch, face.Contact, isA)) scratch.Orphans.Add(face);
         }
 
         faces.RemoveRange(kept, faces.Count - kept);
     }
 
     /// <summary>Whether two parts overlap, or are so near that each of two sides may seem behind the other.</summary>
-    private static bool AreLevel(in DistanceResult result, bool isA) =>
-        result.Distance <= Level * CoveredSides.Room * ((Double3)(isA ? result.LocalPointA : result.LocalPointB))
-            .SumOfMagnitudes;
+    private static bool AreLevel(ConcaveScratch scratch, in PairContacts one, bool isA)
+    {
+        Double3 point = isA ? one.Result.LocalPointA : one.Result.LocalPointB;
+        double rounding = scratch.SideOf(one.Pair.A, isA).Rounding;
+        return one.Result.Distance <= Level * (CoveredSides.Room * point.SumOfMagnitudes + rounding);
+    }
 
     /// <summary>Whether another part of its body goes on where a contact is.</summary>
     /// <param name="scratch">With both bodies.</param>
@@ -143,8 +146,8 @@ internal static class SeamContacts
     /// <param name="isNear">Whether it is no deeper than the pairs are near: what covers it is among them.</param>
     private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PairContacts one, bool isNear = false)
     {
+        if (!scratch.SideOf(one.Pair.A, isA).HasJoints) return false;
         var cover = new PartsCover(scratch, isA, one);
-        if (!cover.Side.HasJoints) return false;
         return isNear
             ? cover.GoesOn(cover.Witness, cover.Outward, isJoint: true)
             : JoinedGrounds.GoesOn(scratch, cover.Side, cover.Own, cover.Witness, cover.Outward);

@@ -6,11 +6,18 @@ namespace Gjk.Core;
 /// to the mesh instead, in 106 bits, and the mesh's own winding number tells.</remarks>
 internal sealed class SolidInside
 {
+    /// <summary>Ratio to a place: 2^-40, far more than double loses of it. More costs time only.</summary>
+    private const double Rounding = 1.0 / (1L << 40);
+
     /// <summary>The same in the child's frame, or before the scale; null in the mesh's own frame.</summary>
     private readonly SolidInside? _inner;
 
     private readonly RigidPose _pose;
     private readonly Vector3 _scale;
+
+    /// <summary>A ball that holds the mesh, in the frame of the shape.</summary>
+    private readonly Double3 _middle;
+    private readonly double _radius;
 
     /// <summary>-1 where scales mirror, so that the corners run the other way round, else 1.</summary>
     private readonly int _turn;
@@ -21,13 +28,17 @@ internal sealed class SolidInside
     public readonly int First;
 
     /// <summary>Of a mesh in its own frame.</summary>
-    public SolidInside(TriangleMesh mesh) => (Mesh, _turn) = (mesh, 1);
+    public SolidInside(TriangleMesh mesh) =>
+        (Mesh, _turn, _middle, _radius) = (mesh, 1, mesh.Tree.Origin, mesh.Tree.Radius);
 
     /// <summary>Of a shape that is placed, and then scaled.</summary>
     public SolidInside(SolidInside inner, int first, in RigidPose pose, Vector3 scale)
     {
         (_inner, First, _pose, _scale, Mesh) = (inner, first, pose, scale, inner.Mesh);
         _turn = inner._turn * Math.Sign(scale.X) * Math.Sign(scale.Y) * Math.Sign(scale.Z);
+        double most = Math.Max(Math.Max(Math.Abs(scale.X), Math.Abs(scale.Y)), Math.Abs(scale.Z));
+        _middle = Double3.Multiply(new RotationD(pose.Rotation).Rotate(inner._middle) + pose.Position, scale);
+        _radius = (inner._radius + Rounding * (inner._middle + pose.Position).SumOfMagnitudes) * most;
     }
 
     /// <summary>The number after that of its last part.</summary>
@@ -38,6 +49,9 @@ internal sealed class SolidInside
 
     /// <summary>1 where the corners of a part run counter-clockwise seen from outside, else -1.</summary>
     public int OutwardOf(int part) => _turn * Mesh.OutwardOf(part - First);
+
+    /// <summary>Whether a point of the shape's frame may be in it.</summary>
+    public bool MayHold(in Double3 point) => _inner is null || (point - _middle).LengthSquared <= _radius * _radius;
 
     /// <summary>A point of the shape's frame in the mesh's.</summary>
     public VectorDD ToMesh(in VectorDD point)

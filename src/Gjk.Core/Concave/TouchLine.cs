@@ -2,7 +2,7 @@ namespace Gjk.Core;
 
 /// <summary>A round side or edge touches a face along a line. A part that ends beside that line has points there too,
 /// which a body that goes on to the line, flat, does not show.</summary>
-internal readonly struct TouchLine
+internal readonly struct TouchLine(in Double3 from, in Double3 along, in Double3 outward, double radius)
 {
     /// <summary>Ratio to the radius of a part with a round side: what is beside its line by less is as deep as that,
     /// but for 2^-21 of the radius.</summary>
@@ -12,11 +12,8 @@ internal readonly struct TouchLine
     /// another one with its edge.</summary>
     private const double Tilted = 0.995;
 
-    private readonly Double3 _from, _along, _outward;
-    private readonly double _least;
-
-    private TouchLine(in Double3 from, in Double3 along, in Double3 outward, double radius) =>
-        (_from, _along, _outward, _least) = (from, along, outward, Beside * radius);
+    private readonly Double3 _from = from, _along = along, _outward = outward;
+    private readonly double _least = Beside * radius;
 
     /// <summary>Takes out the points beside the lines of round sides; a contact's deepest only where another one is
     /// deeper the same way.</summary>

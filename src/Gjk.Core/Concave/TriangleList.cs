@@ -15,10 +15,18 @@ internal sealed class TriangleList
     private readonly bool _isZUp;
 
     public TriangleList(Vector3[] vertices, int[] indices)
+        : this(vertices, indices, indices.Length)
+    {
+    }
+
+    private TriangleList(Vector3[] vertices, int[] indices, int sides)
     {
         (_vertices, _indices) = (vertices, indices);
-        (VertexCount, SideCount) = (vertices.Length, indices.Length);
+        (VertexCount, SideCount) = (vertices.Length, sides);
     }
+
+    /// <summary>The same with triangles that are no parts, after the others.</summary>
+    public TriangleList With(int[] fill) => new(_vertices, [.. CopyIndices(), .. fill], SideCount);
 
     public TriangleList(float[] heights, int columns, Vector2 spacing, bool isZUp)
     {

@@ -7,13 +7,16 @@ namespace Gjk.Core;
 /// triangle numbers are limited by memory alone: some 54 to 90 bytes a triangle in meshes with half as many vertices as
 /// triangles.</remarks>
 [DebuggerDisplay("{" + nameof(TriangleCount) + "} triangles, {" + nameof(VertexCount) + "} vertices")]
-public sealed partial class TriangleMesh
+public sealed partial class TriangleMesh : IPartSource
 {
     /// <summary>Count: what fills the lanes of the triangle filter well, and keeps the tree small.</summary>
     private const int LeafSize = 4, MostInLeaf = 7;
 
     private readonly TriangleList _list;
     private readonly MeshTopology _topology;
+
+    /// <summary>As <see cref="MeshTopology.Around"/>, with the sides of what fills T-junctions.</summary>
+    private readonly int[] _around;
 
     /// <summary>The tree over the triangles.</summary>
     internal readonly PartTree Tree;
@@ -26,9 +29,6 @@ public sealed partial class TriangleMesh
 
     /// <summary>The scale in double, so that products with vertices are exact.</summary>
     private readonly Double3 _scale;
-
-    /// <summary>Null until it is asked for.</summary>
-    private IPartSource? _source;
 
     /// <summary>What it encloses, if it is closed.</summary>
     internal readonly SolidInside[] Insides;
@@ -55,8 +55,11 @@ public sealed partial class TriangleMesh
         Scale = scale;
         _scale = scale;
         Tree = like is not null
-            ? PartTreeRefit.Fit(Source, like)
-            : PartTreeBuilder.Build(Source, LeafSize, MostInLeaf, workers);
+            ? PartTreeRefit.Fit(this, like)
+            : PartTreeBuilder.Build(this, LeafSize, MostInLeaf, workers);
+        _around = _topology.Around;
+        int[] fill = CornersOnEdges.Fill(this, _topology.Borders);
+        if (fill.Length > 0) (_list, _around) = (_list.With(fill), _topology.AroundWith(_list.CopyIndices(), fill));
         Slab = MeshSlab.Of(this);
         _looksIn = PieceSides.LooksIn(this);
         Insides = HasInside ? [new SolidInside(this)] : [];
@@ -171,7 +174,7 @@ public sealed partial class TriangleMesh
     internal int[] Components => _topology.Components;
 
     /// <summary>The sides that begin where a side begins.</summary>
-    internal CornerRing SidesAt(int side) => new(_list, _topology.Around, side);
+    internal CornerRing SidesAt(int side) => new(_list, _around, side);
 
     /// <summary>The number of a triangle's connected piece.</summary>
     internal int PieceOf(int triangle) =>
@@ -215,7 +218,10 @@ public sealed partial class TriangleMesh
 
     /// <summary>A corner of a triangle with the scale.</summary>
     /// <param name="side">Three times the triangle, and the corner.</param>
-    internal Double3 GetCorner(int side) => GetPlace(_list.Corner(side));
+    internal Double3 GetCorner(int side) => GetPlace(VertexOf(side));
+
+    /// <summary>The vertex at which a side begins.</summary>
+    internal int VertexOf(int side) => _list.Corner(side);
 
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)
@@ -242,28 +248,22 @@ public sealed partial class TriangleMesh
 
     private static string Triangles(int count) => count == 1 ? "1 triangle" : $"{count} triangles";
 
-    /// <summary>The triangles as a tree is built of them.</summary>
-    internal IPartSource Source => _source ??= new TriangleSource(this);
+    int IPartSource.Count => TriangleCount;
 
-    private sealed class TriangleSource(TriangleMesh mesh) : IPartSource
+    void IPartSource.GetBox(int part, out Double3 min, out Double3 max)
     {
-        public int Count => mesh.TriangleCount;
+        GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
+        min = new Double3(
+            Math.Min(Math.Min(a.X, b.X), c.X), Math.Min(Math.Min(a.Y, b.Y), c.Y),
+            Math.Min(Math.Min(a.Z, b.Z), c.Z));
+        max = new Double3(
+            Math.Max(Math.Max(a.X, b.X), c.X), Math.Max(Math.Max(a.Y, b.Y), c.Y),
+            Math.Max(Math.Max(a.Z, b.Z), c.Z));
+    }
 
-        public void GetBox(int part, out Double3 min, out Double3 max)
-        {
-            mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-            min = new Double3(
-                Math.Min(Math.Min(a.X, b.X), c.X), Math.Min(Math.Min(a.Y, b.Y), c.Y),
-                Math.Min(Math.Min(a.Z, b.Z), c.Z));
-            max = new Double3(
-                Math.Max(Math.Max(a.X, b.X), c.X), Math.Max(Math.Max(a.Y, b.Y), c.Y),
-                Math.Max(Math.Max(a.Z, b.Z), c.Z));
-        }
-
-        public bool TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
-        {
-            mesh.GetCorners(part, out a, out b, out c);
-            return true;
-        }
+    bool IPartSource.TryGetTriangle(int part, out Double3 a, out Double3 b, out Double3 c)
+    {
+        GetCorners(part, out a, out b, out c);
+        return true;
     }
 }

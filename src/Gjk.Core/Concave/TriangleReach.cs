@@ -3,19 +3,13 @@ namespace Gjk.Core;
 /// <summary>Whether a triangle is within a distance of a point, where double is enough to be certain. A point that is
 /// as good as on a triangle is the slowest to measure, and most that are asked are that or far away.</summary>
 /// <remarks>The error is that of a determinant, which is how far off a plane through three corners may be.</remarks>
-internal readonly ref struct TriangleReach
+internal readonly ref struct TriangleReach(in Double3 a, in Double3 b, in Double3 c, in Double3 point)
 {
     /// <summary>The corners as seen from the point.</summary>
-    private readonly Double3 _a, _b, _c;
-
-    public TriangleReach(in Double3 a, in Double3 b, in Double3 c, in Double3 point)
-    {
-        (_a, _b, _c) = (a - point, b - point, c - point);
-        Size = _a.SumOfMagnitudes + _b.SumOfMagnitudes + _c.SumOfMagnitudes;
-    }
+    private readonly Double3 _a = a - point, _b = b - point, _c = c - point;
 
     /// <summary>No less than the distance to any corner.</summary>
-    public double Size { get; }
+    public double Size => _a.SumOfMagnitudes + _b.SumOfMagnitudes + _c.SumOfMagnitudes;
 
     /// <summary>Whether the triangle is certainly further away: by its box, or by its plane.</summary>
     public bool IsBeyond(double room)

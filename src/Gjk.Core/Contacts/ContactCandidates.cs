@@ -64,13 +64,8 @@ internal unsafe ref struct ContactCandidates
         for (int i = 0; i < Count; i++) Append(outline, ref count, 0, _candidates[i]);
         int half = count - 1;
         for (int i = Count - 2; i >= 0; i--) Append(outline, ref count, half, _candidates[i]);
-        Take(outline, count - 1);
-    }
-
-    private void Take(Candidate* others, int count)
-    {
-        for (int i = 0; i < count; i++) _candidates[i] = others[i];
-        Count = count;
+        Count = count - 1;
+        for (int i = 0; i < Count; i++) _candidates[i] = outline[i];
     }
 
     private static bool IsLeftOf(in Candidate p, in Candidate q) => p.U != q.U ? p.U < q.U : p.V < q.V;

@@ -3,11 +3,11 @@ namespace Gjk.Core;
 /// <summary>The places where two faces or edges lie opposite each other, with names that stay from frame to
 /// frame.</summary>
 /// <remarks>Of two faces these are the corners of what they share. Bodies that stand on each other share corners and
-/// edges but for their unrest: which of two such corners lies within the other face is a last bit, and a name must not
-/// follow it. So a corner that is nearer than a reach to the other's edge names the place, whichever way round they
-/// lie, and two corners nearer than that to each other name it together; what gets the same name is one place, the
-/// middle. Where edges cross that are as good as parallel there is none. The reach is a small part of the width that is
-/// shared, so that hardly any area is lost.</remarks>
+/// edges, but for their unrest: rounding alone decides which of two such corners lies within the other face, and a name
+/// must not depend on that. So a corner that is nearer than a reach to the other's edge names the place, whichever way
+/// round they lie, and two corners nearer than that to each other name it together; what gets the same name is one
+/// place, the middle. Where edges cross that are as good as parallel there is none. The reach is a small part of the
+/// width that is shared, so that hardly any area is lost.</remarks>
 internal unsafe ref struct ContactPlaces
 {
     /// <summary>Count: as many as corners, or the ends of what two edges share.</summary>
@@ -216,9 +216,8 @@ internal unsafe ref struct ContactPlaces
     /// <summary>The end of an edge that is within reach of a place; -1 where neither is.</summary>
     private readonly int NearEnd(ref FlatFeature feature, int edge, double u, double v)
     {
-        int next = edge + 1 < feature.Count ? edge + 1 : 0;
-        double from = feature[edge].SquaredTo(u, v), to = feature[next].SquaredTo(u, v);
-        return !(Math.Min(from, to) <= _reach * _reach) ? -1 : from <= to ? edge : next;
+        int end = feature.NearerEnd(edge, u, v);
+        return feature[end].SquaredTo(u, v) <= _reach * _reach ? end : -1;
     }
 
     /// <summary>The corner nearest a place, within reach; -1 where none is.</summary>

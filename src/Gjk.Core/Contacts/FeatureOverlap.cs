@@ -71,7 +71,7 @@ internal static unsafe class FeatureOverlap
             // but the tip may be.
             if (!cutter.IsBeside(cutterEdge, u, v, slack))
             {
-                ofCutter = cutterEdge = Tip(cutterEdge, u, v, ref cutter);
+                ofCutter = cutterEdge = cutter.NearerEnd(cutterEdge, u, v);
                 edge = -1;
             }
         }
@@ -94,13 +94,6 @@ internal static unsafe class FeatureOverlap
         (place.CornerA, place.CornerB) = isACut ? (ofCut, ofCutter) : (ofCutter, ofCut);
         (place.EdgeA, place.EdgeB) = isACut ? (edge, cutterEdge) : (cutterEdge, edge);
         return !isCrossing || ofCutter < 0 || cut.Holds(u, v, slack);
-    }
-
-    /// <summary>The nearer end of an edge.</summary>
-    private static int Tip(int edge, double u, double v, ref FlatFeature feature)
-    {
-        int to = edge + 1 < feature.Count ? edge + 1 : 0;
-        return feature[edge].SquaredTo(u, v) <= feature[to].SquaredTo(u, v) ? edge : to;
     }
 
     /// <summary>The corner between two edges of the cutter, either way round.</summary>

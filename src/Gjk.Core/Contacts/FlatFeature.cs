@@ -110,6 +110,13 @@ internal unsafe struct FlatFeature
     /// <summary>The corner after another.</summary>
     public readonly ref FlatCorner After(int index) => ref _corners[index + 1 < Count ? index + 1 : 0];
 
+    /// <summary>The end of an edge that is nearer to a place; of two as near, the edge's first.</summary>
+    public readonly int NearerEnd(int edge, double u, double v)
+    {
+        int next = edge + 1 < Count ? edge + 1 : 0;
+        return _corners[edge].SquaredTo(u, v) <= _corners[next].SquaredTo(u, v) ? edge : next;
+    }
+
     /// <summary>How many edges there are; each begins at the corner of its number.</summary>
     public readonly int EdgeCount => Count > 2 ? Count : 1;
 
@@ -283,15 +290,9 @@ internal unsafe struct FlatFeature
     private readonly int Furthest(int from)
     {
         int furthest = from;
-        double most = -1;
+        ref FlatCorner p = ref _corners[from];
         for (int i = 0; i < Count; i++)
-        {
-            double squared = _corners[i].SquaredTo(_corners[from].U, _corners[from].V);
-            if (!(squared > most)) continue;
-            most = squared;
-            furthest = i;
-        }
-
+            if (_corners[i].SquaredTo(p.U, p.V) > _corners[furthest].SquaredTo(p.U, p.V)) furthest = i;
         return furthest;
     }
 }

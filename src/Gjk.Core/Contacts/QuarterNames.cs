@@ -1,17 +1,18 @@
 namespace Gjk.Core;
 
-/// <summary>The names of the four points that stay of a round outline: those of the corners that begin the quarters of
-/// the round face, or of both faces where both are round. Which corners of such an outline span the largest area is a
-/// last bit; a point then is what is touched of a quarter of the rim, wherever in it that is.</summary>
+/// <summary>The names of the four points that stay of a round outline. They are those of the corners that begin the
+/// quarters of the round face, or of both faces where both are round. Rounding alone decides which corners of such an
+/// outline span the largest area, so a point stands for a quarter of the rim, wherever in it the shapes
+/// touch.</summary>
 internal static unsafe class QuarterNames
 {
-    /// <summary>Count: a face with as many corners is round. A disc is, which is shown by as many. Pinned by
+    /// <summary>Count: a face with this many corners is round; a disc is shown by as many. Pinned by
     /// NameTests.</summary>
     private const int Round = FaceCorners.Capacity / FaceCorners.DiscStep;
 
     /// <summary>Ratio: how far beyond its corner, towards the next one, a quarter begins. Points that lie half way
-    /// between two corners, as the shapes' symmetry has it, belong to the first of them then, and not to either by a
-    /// last bit. Four times more or less is as good.</summary>
+    /// between two corners, as the shapes' symmetry has it, then belong to the first of them, and not to either by
+    /// rounding. Four times more or less is as good.</summary>
     private const double Beyond = 0.35;
 
     /// <summary>Finds the beginnings of the quarters.</summary>

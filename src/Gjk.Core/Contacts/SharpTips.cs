@@ -33,8 +33,7 @@ internal static class SharpTips
         {
             if (!(feature.Inside(i, u, v) < 0)) continue;
             if (feature.IsBeside(i, u, v, slack)) return -1;
-            int next = i + 1 < feature.Count ? i + 1 : 0;
-            int end = feature[i].SquaredTo(u, v) <= feature[next].SquaredTo(u, v) ? i : next;
+            int end = feature.NearerEnd(i, u, v);
             if (tip < 0 || feature[end].SquaredTo(u, v) < feature[tip].SquaredTo(u, v)) tip = end;
         }
 

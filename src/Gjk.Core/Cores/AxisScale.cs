@@ -57,8 +57,8 @@ internal readonly struct AxisScale
         error = new Double3(x.Low, y.Low, z.Low);
     }
 
-    /// <summary>The direction as the unscaled shape sees it (the transposed inverse of the map's inverse: the map
-    /// itself), or a multiple of it.</summary>
+    /// <summary>The direction as the unscaled shape sees it, or a multiple of it. A support direction changes with the
+    /// transpose of the map, which for a scale along the axes is the map itself.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Double3 Inward(in Double3 direction)
     {

@@ -65,14 +65,11 @@ internal struct SegmentCore : ISupportMap, ILibraryShape
     {
         if (id == 0) Double3.Write(_first.Xyz.X, _first.Xyz.Y, _first.Xyz.Z, out point);
         else Double3.Write(_second.Xyz.X, _second.Xyz.Y, _second.Xyz.Z, out point);
-        return HasVertex(id);
+        return (uint)id < (uint)_count;
     }
 
     /// <summary>How many vertices there are, 1 or 2.</summary>
     public readonly int Count => _count;
-
-    /// <summary>Whether there is a vertex with the id.</summary>
-    public readonly bool HasVertex(int id) => (uint)id < (uint)_count;
 
     /// <summary>Which end of a segment is furthest: 0, also where they are level, or 1.</summary>
     /// <param name="toFirst">From the second end to the first: by it a segment far from its local origin is asked as

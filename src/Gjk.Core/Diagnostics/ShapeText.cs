@@ -185,11 +185,7 @@ internal static class ShapeText
     private static void WriteCorners(StringBuilder text, ConvexHull hull)
     {
         text.Append(' ').Append(hull.VertexCount.ToString(CultureInfo.InvariantCulture));
-        for (int i = 0; i < hull.VertexCount; i++)
-        {
-            Vector3 corner = hull.GetVertex(i);
-            foreach (float x in new[] { corner.X, corner.Y, corner.Z }) Add(text, x);
-        }
+        for (int i = 0; i < hull.VertexCount; i++) Add(text, hull.GetVertex(i));
     }
 
     private static ConvexHull ReadCorners(RecordReader words)

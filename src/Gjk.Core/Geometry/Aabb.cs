@@ -27,6 +27,19 @@ public readonly struct Aabb : IEquatable<Aabb>
         (Max.X, Max.Y, Max.Z) = (maxX, maxY, maxZ);
     }
 
+    /// <summary>The box around finite points, at least one.</summary>
+    internal static Aabb Around(Vector3[] points)
+    {
+        Vector3 min = points[0], max = min;
+        foreach (Vector3 point in points)
+        {
+            min = Vector3.Min(min, point);
+            max = Vector3.Max(max, point);
+        }
+
+        return new Aabb(min.X, min.Y, min.Z, max.X, max.Y, max.Z);
+    }
+
     /// <summary>The longest side, in double because the difference of two floats need not be a float.</summary>
     public double LongestSide =>
         Math.Max(Math.Max((double)Max.X - Min.X, (double)Max.Y - Min.Y), (double)Max.Z - Min.Z);

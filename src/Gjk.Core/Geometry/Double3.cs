@@ -37,7 +37,11 @@ public readonly struct Double3 : IEquatable<Double3>
     }
 
     /// <summary>The largest of the components' magnitudes, in their units.</summary>
-    internal double LargestMagnitude => Math.Max(Math.Max(Math.Abs(X), Math.Abs(Y)), Math.Abs(Z));
+    internal double LargestMagnitude
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Math.Max(Math.Max(Math.Abs(X), Math.Abs(Y)), Math.Abs(Z));
+    }
 
     /// <summary>The sum of the components' magnitudes, in their units.</summary>
     internal double SumOfMagnitudes

@@ -78,7 +78,7 @@ public sealed class ConvexHull
             _sources[i] = cloud.Sources[mesh.Corners[i]];
         }
 
-        Bounds = MeasureBounds(corners);
+        Bounds = Aabb.Around(corners);
         Vertices = new HullVertices(corners, mesh.Dimension, Bounds, HullOrigin.Of(Bounds));
         HullAdjacency.Build(mesh, out NeighborStart, out Neighbors);
         Center = Vertices.Center;
@@ -215,18 +215,6 @@ public sealed class ConvexHull
         }
 
         return null;
-    }
-
-    private static Aabb MeasureBounds(Vector3[] corners)
-    {
-        Vector3 min = corners[0], max = min;
-        foreach (Vector3 corner in corners)
-        {
-            min = Vector3.Min(min, corner);
-            max = Vector3.Max(max, corner);
-        }
-
-        return new Aabb(min, max);
     }
 
     private double MeasureRadius()

@@ -53,7 +53,7 @@ public readonly struct CastResult
     /// <summary>The same with a fraction that is rounded otherwise.</summary>
     internal CastResult At(float fraction) => new(Status, fraction, _solved, Point, Normal, Iterations, Depth);
 
-    /// <summary>The same contact after looks at how deep it is.</summary>
+    /// <summary>The same contact after it has been asked how deep it is.</summary>
     internal CastResult With(CastStatus status, Vector3 point, Vector3 normal, int iterations, float depth) =>
         new(status, Fraction, _solved, point, normal, iterations, depth);
 

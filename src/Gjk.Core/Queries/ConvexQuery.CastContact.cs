@@ -8,14 +8,14 @@ public static unsafe partial class ConvexQuery
     /// may point into it. Pinned by CastOptionsTests.</summary>
     private const double AllowedSlope = 1.0 / (1 << 20);
 
-    /// <summary>A contact as a cast has found it, and as it is when it has been looked at.</summary>
+    /// <summary>A contact: as a cast has found it, and then as it is settled by how deep it is.</summary>
     private struct SettledContact(in CastResult found)
     {
         public CastStatus Status = found.Status;
         public Vector3 Point = found.Point, Normal = found.Normal;
         public float Depth;
 
-        /// <summary>Support calls made by the looks.</summary>
+        /// <summary>Support calls made since the cast.</summary>
         public int Iterations;
 
         /// <summary>Asks how deep the shapes overlap at the start. Where they only touch, a normal that is known

@@ -33,7 +33,7 @@ public static unsafe partial class ConvexQuery
             result = SearchHalfSpace(ref search, ref other);
         }
 
-        /// <summary>Looks for a contact, or follows the one that is known and looks for the next.</summary>
+        /// <summary>Searches for a contact, or follows the one that is known and searches for the next.</summary>
         private readonly CastResult SearchHalfSpace<T>(ref HalfSpaceMotion search, ref T other)
             where T : struct, ISupportMap
         {

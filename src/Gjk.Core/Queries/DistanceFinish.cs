@@ -3,10 +3,10 @@ namespace Gjk.Core;
 /// <summary>Makes results of what the solvers find: adds the margins, finds the points and rounds.</summary>
 internal static class DistanceFinish
 {
-    /// <summary>Ratio of the distance to a shape's size and to its offset from its local origin: further apart, a point
-    /// of it that is reached from the other shape over the distance would lie beside it by rounding alone, so it is
-    /// placed from its own pose. Here rounding is 2^-33 of the size, so a few times as much would do no harm, and less
-    /// would only cost time. WitnessPointTests have all distances.</summary>
+    /// <summary>Ratio of the distance to a shape's size and to its offset from its local origin: beyond it a point of
+    /// the shape is placed from its own pose, because one that is reached over the distance from the other shape would
+    /// lie beside it by rounding alone. At this ratio rounding is 2^-33 of the size: a few times the ratio would do no
+    /// harm, and less would only cost time. Pinned by WitnessPointTests.</summary>
     public const double FarApart = 1 << 20;
 
     /// <summary>Ratio of the radii: where B is smaller than A by more, the points are placed from B's pose. Up to here,

@@ -164,16 +164,16 @@ internal struct HalfSpaceMotion
         return !(gap > 0) ? start : rate < 0 ? Math.Min(start - gap / rate, _end) : _end;
     }
 
-    /// <summary>Looks for a proved step that ends well outside, or at the end; four times further each time, since a
-    /// body may leave, turn, and come back.</summary>
+    /// <summary>Searches for a proved step that ends well outside, or at the end; each try goes four times further,
+    /// since a body may leave, turn, and come back.</summary>
     private readonly bool TryEnd<T>(
         ref T other, in TurningPlane plane, double shrunk, double outside, out double next)
         where T : struct, ISupportMap
     {
-        const int mostLooks = 32, further = 4;
+        const int mostTries = 32, further = 4;
         double step = Math.Max(outside - plane.Gap, _floor) / Fastest(plane.Start);
         next = plane.Start;
-        for (int look = 0; look < mostLooks && next < _end; look++, step *= further)
+        for (int i = 0; i < mostTries && next < _end; i++, step *= further)
         {
             next = Math.Min(plane.Start + step, _end);
             double gap = GapAt(ref other, next) + shrunk;

@@ -2,13 +2,13 @@ namespace Gjk.Core;
 
 /// <summary>The normal along which another body touches a round side: of two parallel cylinders it is the direction
 /// from the one's axis to the other's, of an edge beside a cylinder that from the axis to the edge. The searches for
-/// curved cores end within a part of a length, which leaves the angle round such a side open by its root, up to 1e-3:
-/// it would be another one for each begin of a search, and the contacts of a body at rest would change with every
+/// curved cores end within a small part of a length, which leaves the angle round such a side open by the root of that
+/// part, up to 1e-3: each search would end at another angle, and the contacts of a body at rest would change with every
 /// frame.</summary>
-/// <remarks>What both shapes show tells of the sides' axes, of the edges and the faces (<see cref="BestNormal"/>).
-/// Nothing of it is assumed: the direction is taken if a support proves that it separates the bodies at least as far as
-/// the plane that is known, and if there are points along it, which supports a little to both sides give, or the known
-/// ones.</remarks>
+/// <remarks>The axes of the sides, the edges and the faces are known from what both shapes show (<see
+/// cref="BestNormal"/>). Nothing of it is assumed: the direction is taken if a support proves that it separates the
+/// bodies at least as far as the plane that is known, and if there are points along it, which supports a little to both
+/// sides give, or the known ones.</remarks>
 internal static class SideNormal<TA, TB, TTrace>
     where TA : struct, ISupportMap
     where TB : struct, ISupportMap

@@ -6,9 +6,9 @@ internal sealed class Selection<T>
     where T : struct
 {
     /// <summary>Count of items that one thread looks at in turn. A matter of speed only.</summary>
-    private const int PartLength = 2048;
+    private const int ShareLength = 2048;
 
-    /// <summary>What each part selected, from the part's begin on, and how many.</summary>
+    /// <summary>What each share selected, from the share's begin on, and how many.</summary>
     private T[] _selected = [];
     private int[] _counts = [];
 
@@ -20,14 +20,14 @@ internal sealed class Selection<T>
     public void Collect<TSelector>(in TSelector selector, int count, List<T> results, Workers? workers)
         where TSelector : struct, ISelector<T>
     {
-        int parts = Select(selector, count, workers);
-        for (int part = 0; part < parts; part++)
+        int shares = Select(selector, count, workers);
+        for (int share = 0; share < shares; share++)
         {
-            int begin = part * PartLength;
+            int begin = share * ShareLength;
 #if NET
-            CollectionExtensions.AddRange(results, _selected.AsSpan(begin, _counts[part]));
+            CollectionExtensions.AddRange(results, _selected.AsSpan(begin, _counts[share]));
 #else
-            for (int i = begin; i < begin + _counts[part]; i++) results.Add(_selected[i]);
+            for (int i = begin; i < begin + _counts[share]; i++) results.Add(_selected[i]);
 #endif
         }
     }
@@ -37,9 +37,9 @@ internal sealed class Selection<T>
     public int CopyTo<TSelector>(in TSelector selector, int count, T[] results, Workers? workers)
         where TSelector : struct, ISelector<T>
     {
-        int parts = Select(selector, count, workers), sum = 0;
-        for (int part = 0; part < parts; sum += _counts[part++])
-            Array.Copy(_selected, part * PartLength, results, sum, _counts[part]);
+        int shares = Select(selector, count, workers), sum = 0;
+        for (int share = 0; share < shares; sum += _counts[share++])
+            Array.Copy(_selected, share * ShareLength, results, sum, _counts[share]);
         return sum;
     }
 
@@ -49,16 +49,16 @@ internal sealed class Selection<T>
         if (_selected.Length < count)
         {
             int length = (int)Math.Min(Math.Max(2L * _selected.Length, count), int.MaxValue / 2);
-            int[] counts = new int[length / PartLength + 1];
+            int[] counts = new int[length / ShareLength + 1];
             (_selected, _counts) = (new T[length], counts);
         }
 
         var job = new Job<TSelector>(selector, _selected, _counts);
-        Workers.Run(workers, job, count, PartLength, CancellationToken.None);
-        return (count + PartLength - 1) / PartLength;
+        Workers.Run(workers, job, count, ShareLength, CancellationToken.None);
+        return (count + ShareLength - 1) / ShareLength;
     }
 
-    private readonly struct Job<TSelector>(TSelector selector, T[] selected, int[] counts) : IPartJob
+    private readonly struct Job<TSelector>(TSelector selector, T[] selected, int[] counts) : IShareJob
         where TSelector : struct, ISelector<T>
     {
         public void Run(int begin, int end)
@@ -67,7 +67,7 @@ internal sealed class Selection<T>
             int next = begin;
             for (int i = begin; i < end; i++)
                 if (ask.TrySelect(i, out selected[next])) next++;
-            counts[begin / PartLength] = next - begin;
+            counts[begin / ShareLength] = next - begin;
         }
     }
 }

@@ -5,28 +5,28 @@ public sealed partial class Workers
     /// <summary>What the threads see of a job at hand.</summary>
     private abstract class Task
     {
-        public abstract void RunParts();
+        public abstract void RunShares();
 
         public abstract void Stop();
     }
 
-    /// <summary>Cuts a job into parts that any thread may take.</summary>
+    /// <summary>Cuts a job into shares that any thread may take.</summary>
     private sealed class Task<TJob> : Task
-        where TJob : struct, IPartJob
+        where TJob : struct, IShareJob
     {
         private TJob _job;
         private CancellationToken _cancellation;
-        private int _count, _partLength, _parts;
+        private int _count, _shareLength, _shares;
 
-        /// <summary>The first part that nobody has taken.</summary>
+        /// <summary>The first share that nobody has taken.</summary>
         private int _next;
 
-        public void Begin(in TJob job, int count, int partLength, CancellationToken cancellation)
+        public void Begin(in TJob job, int count, int shareLength, CancellationToken cancellation)
         {
             _job = job;
             _count = count;
-            _partLength = partLength;
-            _parts = (int)(((long)count + partLength - 1) / partLength);
+            _shareLength = shareLength;
+            _shares = (int)(((long)count + shareLength - 1) / shareLength);
             _cancellation = cancellation;
             _next = 0;
         }
@@ -38,18 +38,18 @@ public sealed partial class Workers
             _cancellation = default;
         }
 
-        public override void RunParts()
+        public override void RunShares()
         {
             TJob job = _job;
             while (!_cancellation.IsCancellationRequested)
             {
-                int part = Interlocked.Increment(ref _next) - 1;
-                if (part >= _parts) return;
-                int begin = part * _partLength;
-                job.Run(begin, Math.Min(begin + _partLength, _count));
+                int share = Interlocked.Increment(ref _next) - 1;
+                if (share >= _shares) return;
+                int begin = share * _shareLength;
+                job.Run(begin, Math.Min(begin + _shareLength, _count));
             }
         }
 
-        public override void Stop() => Volatile.Write(ref _next, _parts);
+        public override void Stop() => Volatile.Write(ref _next, _shares);
     }
 }

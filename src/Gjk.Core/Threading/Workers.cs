@@ -5,18 +5,18 @@ namespace Gjk.Core;
 /// <summary>Threads that share the work of a scene or a batch with the thread that asks. Make one, keep it, pass it to
 /// every call that should use it, and dispose of it.</summary>
 /// <remarks>Thread-safe: calls from several threads take turns. The results do not depend on it: work is cut into the
-/// same parts for any number of threads, and each part has its own place for what it finds. The threads are background
-/// threads; they wait without using the processor but for a moment after each task. A call that has begun its work ends
-/// when all threads have left it, whatever happens: <see cref="Thread.Interrupt"/> on the caller takes effect where the
-/// caller waits next. While a call waits for its turn, it ends with the usual <see cref="ThreadInterruptedException"/>,
-/// and nothing is done.</remarks>
+/// same shares for any number of threads, and each share has its own place for what it finds. The threads are
+/// background threads; they wait without using the processor but for a moment after each task. A call that has begun
+/// its work ends when all threads have left it, whatever happens: <see cref="Thread.Interrupt"/> on the caller takes
+/// effect where the caller waits next. While a call waits for its turn, it ends with the usual
+/// <see cref="ThreadInterruptedException"/>, and nothing is done.</remarks>
 public sealed partial class Workers : IDisposable
 {
     /// <summary>Count of threads: more than any machine that shares memory makes use of here, and few enough to be
     /// started anywhere. Pinned by WorkerCountTests.</summary>
     private const int MostThreads = 1024;
 
-    /// <summary>Count of pauses, some tens of microseconds, that a thread waits awake before it sleeps: the parts of
+    /// <summary>Count of pauses, some tens of microseconds, that a thread waits awake before it sleeps: the shares of
     /// one frame follow each other faster than threads wake. A matter of speed only.</summary>
     private const int PausesAwake = 200;
 
@@ -91,40 +91,40 @@ public sealed partial class Workers : IDisposable
         if (workers is { _disposed: true }) throw new ObjectDisposedException(nameof(Workers));
     }
 
-    /// <summary>Runs every part of a job, on the caller's thread alone where there is no other.</summary>
+    /// <summary>Runs every share of a job, on the caller's thread alone where there is no other.</summary>
     /// <param name="workers">The threads, or null.</param>
-    /// <param name="job">The job; parts may run at the same time.</param>
+    /// <param name="job">The job; shares may run at the same time.</param>
     /// <param name="count">How many items the job has.</param>
-    /// <param name="partLength">How many of them make a part.</param>
-    /// <param name="cancellation">Looked at between parts.</param>
-    /// <exception cref="OperationCanceledException">Cancelled; an unknown number of parts was run.</exception>
+    /// <param name="shareLength">How many of them make a share.</param>
+    /// <param name="cancellation">Looked at between shares.</param>
+    /// <exception cref="OperationCanceledException">Cancelled; an unknown number of shares was run.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     internal static void Run<TJob>(
-        Workers? workers, in TJob job, int count, int partLength, CancellationToken cancellation)
-        where TJob : struct, IPartJob
+        Workers? workers, in TJob job, int count, int shareLength, CancellationToken cancellation)
+        where TJob : struct, IShareJob
     {
-        if (workers is not null) workers.Run(job, count, partLength, cancellation);
-        else RunHere(job, count, partLength, cancellation);
+        if (workers is not null) workers.Run(job, count, shareLength, cancellation);
+        else RunHere(job, count, shareLength, cancellation);
     }
 
-    private static void RunHere<TJob>(TJob job, int count, int partLength, CancellationToken cancellation)
-        where TJob : struct, IPartJob
+    private static void RunHere<TJob>(TJob job, int count, int shareLength, CancellationToken cancellation)
+        where TJob : struct, IShareJob
     {
         cancellation.ThrowIfCancellationRequested();
-        for (int begin = 0; begin < count; begin += partLength)
+        for (int begin = 0; begin < count; begin += shareLength)
         {
-            job.Run(begin, Math.Min(begin + partLength, count));
+            job.Run(begin, Math.Min(begin + shareLength, count));
             cancellation.ThrowIfCancellationRequested();
         }
     }
 
-    private void Run<TJob>(in TJob job, int count, int partLength, CancellationToken cancellation)
-        where TJob : struct, IPartJob
+    private void Run<TJob>(in TJob job, int count, int shareLength, CancellationToken cancellation)
+        where TJob : struct, IShareJob
     {
         Check(this);
-        if (_threads.Length == 0 || count <= partLength)
+        if (_threads.Length == 0 || count <= shareLength)
         {
-            RunHere(job, count, partLength, cancellation);
+            RunHere(job, count, shareLength, cancellation);
             return;
         }
 
@@ -134,7 +134,7 @@ public sealed partial class Workers : IDisposable
         {
             Check(this);
             Task<TJob> task = TaskFor<TJob>();
-            task.Begin(job, count, partLength, cancellation);
+            task.Begin(job, count, shareLength, cancellation);
             try
             {
                 Open(task, ref wasInterrupted);
@@ -156,7 +156,7 @@ public sealed partial class Workers : IDisposable
 
     /// <summary>The object that carries a kind of job to the threads: made once for each kind.</summary>
     private Task<TJob> TaskFor<TJob>()
-        where TJob : struct, IPartJob
+        where TJob : struct, IShareJob
     {
         foreach (Task known in _tasks)
             if (known is Task<TJob> of) return of;
@@ -262,7 +262,7 @@ public sealed partial class Workers : IDisposable
     {
         try
         {
-            task.RunParts();
+            task.RunShares();
         }
         catch (Exception e)
         {
@@ -274,8 +274,8 @@ public sealed partial class Workers : IDisposable
     }
 }
 
-/// <summary>Work on items 0 to n - 1 that may be done in parts, in any order and at the same time.</summary>
-internal interface IPartJob
+/// <summary>Work on items 0 to n - 1 that may be done in shares, in any order and at the same time.</summary>
+internal interface IShareJob
 {
     /// <summary>Does the items from begin up to, not including, end. What it does to one item depends on no
     /// other.</summary>

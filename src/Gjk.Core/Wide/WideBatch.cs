@@ -62,15 +62,15 @@ internal readonly unsafe ref struct WideBatch(
 
     private long IsPlaced(int pair) => ((ShapeA(pair).Core | ShapeB(pair).Core) & FormKind.Moved) == 0 ? 0 : -1;
 
-    /// <summary>Where the cores are in the frames of four first shapes.</summary>
+    /// <summary>How the cores are turned in the frames of four first shapes.</summary>
     public WideQuaternion CoreRotationsOfA(int* index) =>
         WideQuaternion.FromShapes(ShapeA(index[0]), ShapeA(index[1]), ShapeA(index[2]), ShapeA(index[3]));
 
-    /// <summary>Where the cores are in the frames of four second shapes.</summary>
+    /// <summary>How the cores are turned in the frames of four second shapes.</summary>
     public WideQuaternion CoreRotationsOfB(int* index) =>
         WideQuaternion.FromShapes(ShapeB(index[0]), ShapeB(index[1]), ShapeB(index[2]), ShapeB(index[3]));
 
-    /// <summary>Asks about the part's pairs.</summary>
+    /// <summary>Runs a question over the part's pairs.</summary>
     /// <param name="count">How many there are.</param>
     /// <param name="question">What to ask, and where the answers go.</param>
     public void Run<TQuestion>(int count, ref TQuestion question)
@@ -87,7 +87,7 @@ internal readonly unsafe ref struct WideBatch(
         }
     }
 
-    /// <summary>Asks about pairs of one kind.</summary>
+    /// <summary>Runs it over pairs of one kind.</summary>
     private void RunKind<TQuestion>(int kind, int* index, int count, ref TQuestion question)
         where TQuestion : struct, IWideQuestion, allows ref struct
     {

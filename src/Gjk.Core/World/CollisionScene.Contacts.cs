@@ -76,8 +76,8 @@ public sealed partial class CollisionScene
         var job = new SceneContactJob(_objects, pairs, answers, unions, maxGap);
         var joined = new SceneUnionJob(_objects, pairs, answers, unions, maxGap);
         answers.Begin(pairs, _objects.Ids, ref _calls, isKept);
-        Workers.Run(workers, job, pairs.Count, _objects.Parts.PartLength, CancellationToken.None);
-        Workers.Run(workers, joined, unions.Count, PairBatch.ConcavePartLength, CancellationToken.None);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength, CancellationToken.None);
+        Workers.Run(workers, joined, unions.Count, PairBatch.ConcaveShareLength, CancellationToken.None);
         answers.Complete();
         results.Clear();
         for (int i = 0; i < answers.Count; i++)

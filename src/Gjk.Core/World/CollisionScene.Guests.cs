@@ -109,12 +109,17 @@ public sealed partial class CollisionScene
 
     /// <summary>Collects the objects that are seen and whose bounds are within a distance of a shape, sorted, and then
     /// puts it beside them.</summary>
+    /// <returns>The shape's slot, for the questions about it, until it is dismissed.</returns>
+    private int Invite(in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter) =>
+        _objects.Invite(shape, pose, CollectNear(shape, pose, distance, filter));
+
+    /// <summary>Collects the objects that are seen and whose bounds are within a distance of a shape, sorted.</summary>
     /// <param name="shape">The shape.</param>
     /// <param name="pose">Its pose.</param>
     /// <param name="distance">World units.</param>
     /// <param name="filter">Which objects are seen.</param>
-    /// <returns>The shape's slot, for the questions about it, until it is dismissed.</returns>
-    private int Invite(in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter)
+    /// <returns>The shape's bounds.</returns>
+    private ShapeBounds CollectNear(in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter)
     {
         CheckShape(shape);
         CheckPose(pose);
@@ -124,7 +129,7 @@ public sealed partial class CollisionScene
         for (int i = 0; i < _near.Count; i++)
             if (!_objects.AreEndless(shape, _near[i]) && _objects.IsSeen(_near[i], filter)) _near[kept++] = _near[i];
         _near.RemoveRange(kept, _near.Count - kept);
-        return _objects.Invite(shape, pose, bounds);
+        return bounds;
     }
 
     /// <summary>Lets go of the shape, and of what the questions about it used.</summary>

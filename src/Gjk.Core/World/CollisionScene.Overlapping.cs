@@ -14,17 +14,17 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, List<int> ids, in QueryFilter filter = default)
     {
         Guard.NotNull(ids, nameof(ids));
-        int guest = Invite(shape, pose, 0, filter);
-        ConcaveScratch? scratch = _objects.Parts.RentIfAny();
+        ShapeBounds bounds = CollectNear(shape, pose, 0, filter);
+        int guest = _objects.Parts.Any ? _objects.Invite(shape, pose, bounds) : SceneObjects.GuestId;
         ids.Clear();
         foreach (int slot in _near)
         {
             bool overlaps = _objects.Parts.Has(slot)
-                ? _objects.Parts.Distance(new ObjectPair(guest, slot), 0, scratch!).IsOverlapping
+                ? _objects.Parts.Distance(guest, slot, 0).IsOverlapping
                 : ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]);
             if (overlaps) ids.Add(_objects.Ids[slot]);
         }
 
-        Dismiss(scratch);
+        if (guest >= 0) _objects.Dismiss();
     }
 }

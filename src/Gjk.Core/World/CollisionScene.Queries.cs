@@ -77,9 +77,9 @@ public sealed partial class CollisionScene
 
     /// <summary>The pairs no further apart than a distance, and how far. A pair whose objects have not moved since the
     /// last call reported it keeps its answer, bit for bit. The query of any other pair that the last call reported
-    /// begins where that one ended; so the results are those of <see cref="ConvexQuery"/> within the accuracy, not
-    /// always to the last bit. They depend on what was reported for the pair before, and are the same bits for every
-    /// broad phase and bound.</summary>
+    /// begins where that one ended, if both are convex; so the results are those of <see cref="ConvexQuery"/> within
+    /// the accuracy, not always to the last bit. They depend on what was reported for the pair before, and are the same
+    /// bits for every broad phase and bound.</summary>
     /// <param name="distance">At least 0; infinite for all pairs.</param>
     /// <param name="results">Emptied first; then the pairs of ids, sorted.</param>
     /// <param name="workers">The threads to use; null for the caller's own.</param>
@@ -97,7 +97,7 @@ public sealed partial class CollisionScene
         AnswerPairs(_pairWarmStarts, _candidates, job, workers);
         results.Clear();
         for (int i = 0; i < _candidates.Count; i++)
-            if (_pairWarmStarts.Results[i].Status != GjkStatus.BeyondMaxDistance)
+            if (_pairWarmStarts.Now.Results[i].Status != GjkStatus.BeyondMaxDistance)
                 results.Add(DistanceOf(i));
     }
 
@@ -122,9 +122,9 @@ public sealed partial class CollisionScene
     private PairDistance DistanceOf(int i)
     {
         ObjectPair ids = _objects.IdsOf(_candidates[i]);
-        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(_pairWarmStarts.Results[i], pair: ids);
-        ObjectPair parts = _pairWarmStarts.Parts[i];
-        return new PairDistance(_pairWarmStarts.Results[i], parts.A, parts.B, ids);
+        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(_pairWarmStarts.Now.Results[i], pair: ids);
+        ObjectPair parts = _pairWarmStarts.Now.Parts[i];
+        return new PairDistance(_pairWarmStarts.Now.Results[i], parts.A, parts.B, ids);
     }
 
     /// <summary>Decides which of the candidates overlap, or are no further apart than a gap.</summary>
@@ -138,11 +138,11 @@ public sealed partial class CollisionScene
 
     /// <summary>Runs a job that answers the pairs of a frame.</summary>
     private void AnswerPairs<TJob>(
-        PairFrames frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
-        where TJob : struct, IPartJob
+        PairHistory frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
+        where TJob : struct, IShareJob
     {
         frame.Begin(pairs, _objects.Ids, ref _calls, isKept);
-        Workers.Run(workers, job, pairs.Count, _objects.Parts.PartLength, CancellationToken.None);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength, CancellationToken.None);
         frame.Complete();
     }
 

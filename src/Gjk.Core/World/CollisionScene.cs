@@ -94,10 +94,8 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="InvalidOperationException">There are 16,777,216 objects, or 2,147,483,647 ids were given
     /// out.</exception>
-    public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default)
-    {
-        return Add(shape, new ShapeBounds(shape), pose, settings);
-    }
+    public int Add(in ConvexShape shape, in RigidPose pose, in ObjectSettings settings = default) =>
+        Add(new ShapeBounds(shape), AnyShape.Of(shape), pose, settings);
 
     /// <summary>Adds an object that need not be convex: a surface, a solid or a compound. Answers about it name its
     /// parts.</summary>
@@ -108,15 +106,10 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
     /// <exception cref="InvalidOperationException">There are 16,777,216 objects, or 2,147,483,647 ids were given
     /// out.</exception>
-    public int Add(in AnyShape shape, in RigidPose pose, in ObjectSettings settings = default)
-    {
-        if (shape.Kind == AnyShapeKind.Convex) return Add(AnyShape.ConvexOf(shape), pose, settings);
-        int id = Add(default, new ShapeBounds(shape), pose, settings);
-        _objects.Parts.Set(_objects.SlotOf(id), shape);
-        return id;
-    }
+    public int Add(in AnyShape shape, in RigidPose pose, in ObjectSettings settings = default) =>
+        Add(new ShapeBounds(shape), shape, pose, settings);
 
-    private int Add(in ConvexShape shape, in ShapeBounds bounds, in RigidPose pose, in ObjectSettings settings)
+    private int Add(in ShapeBounds bounds, in AnyShape shape, in RigidPose pose, in ObjectSettings settings)
     {
         CheckPose(pose);
         if (_objects.ShouldCloseUp) CloseUp();

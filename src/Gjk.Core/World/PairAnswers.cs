@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>The answers of a frame, one for each pair, and those of the frame before, which pairs keep that have not
 /// moved.</summary>
 /// <typeparam name="T">An answer.</typeparam>
-internal sealed class PairAnswers<T> : PairFrames
+internal sealed class PairAnswers<T> : PairHistory
     where T : struct
 {
     private T[] _now = [], _last = [];

@@ -2,7 +2,7 @@ namespace Gjk.Core;
 
 /// <summary>How deep a scene's pairs overlap. Pairs at rest keep their answers: what they would get.</summary>
 internal readonly struct SceneDepthJob(
-    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairDistance> answers) : IPartJob
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairDistance> answers) : IShareJob
 {
     public void Run(int begin, int end)
     {
@@ -24,7 +24,7 @@ internal readonly struct SceneDepthJob(
 /// get.</summary>
 internal readonly struct SceneContactJob(
     SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap)
-    : IPartJob
+    : IShareJob
 {
     public void Run(int begin, int end)
     {
@@ -47,7 +47,7 @@ internal readonly struct SceneContactJob(
 /// <summary>Where bodies touch static objects that are joined.</summary>
 internal readonly struct SceneUnionJob(
     SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap)
-    : IPartJob
+    : IShareJob
 {
     public void Run(int begin, int end)
     {

@@ -10,7 +10,7 @@ namespace Gjk.Core;
 /// <param name="asksParts">Whether pairs that are not convex are asked.</param>
 internal readonly struct SceneNearJob(
     SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap, bool asksParts)
-    : IPartJob
+    : IShareJob
 {
     public unsafe void Run(int begin, int end)
     {
@@ -94,10 +94,11 @@ internal readonly struct SceneNearJob(
 /// <remarks>The bits of an answer depend on the answers that were reported for the pair, and on nothing else. A pair
 /// that was reported in the frame before begins where it ended. A pair that was not may have been looked at or not,
 /// which depends on the bounds; what it remembers is used only to see quickly that it still is too far apart, and else
-/// it begins cold. A pair that was reported and whose objects have not moved since keeps its answer.</remarks>
+/// it begins cold, as each pair does that is not convex. A pair that was reported and whose objects have not moved
+/// since keeps its answer.</remarks>
 internal readonly struct SceneDistanceJob(
     SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance)
-    : IPartJob
+    : IShareJob
 {
     /// <summary>Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much
     /// leaves no doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. More
@@ -108,32 +109,32 @@ internal readonly struct SceneDistanceJob(
     public void Run(int begin, int end)
     {
         int last = warmStarts.Seek(begin);
+        PairWarmStarts.Frame now = warmStarts.Now, before = warmStarts.Last;
         for (int i = begin; i < end; i++)
         {
             bool keepsShapes = objects.KeepShapes(pairs[i], warmStarts.LastCall);
             PairState state = warmStarts.Resume(i, keepsShapes, ref last);
-            bool keeps = state == PairState.Reported && objects.Rest(pairs[i], warmStarts.LastCall)
-                && warmStarts.LastResult(last).Distance <= maxDistance;
-            warmStarts.Kept[i] = keeps;
-            if (!keeps) continue;
-            warmStarts.Results[i] = warmStarts.LastResult(last);
-            warmStarts.Parts[i] = warmStarts.LastParts(last);
+            now.Kept[i] = state == PairState.Reported && objects.Rest(pairs[i], warmStarts.LastCall)
+                && before.Results[last].Distance <= maxDistance;
+            if (!now.Kept[i]) continue;
+            now.Results[i] = before.Results[last];
+            now.Parts[i] = before.Parts[last];
         }
 
         Ask(begin, end);
         if (objects.Parts.Any) AskParts(begin, end);
         for (int i = begin; i < end; i++)
         {
-            ref DistanceResult result = ref warmStarts.Results[i];
-            bool isUnclear = warmStarts.States[i] == PairState.Beyond && !IsClearlyBeyond(pairs[i], result);
+            ref DistanceResult result = ref now.Results[i];
+            bool isUnclear = now.States[i] == PairState.Beyond && !IsClearlyBeyond(pairs[i], result);
             if (isUnclear && !objects.Parts.Has(pairs[i]))
             {
-                warmStarts.Starts[i].Clear();
+                now.Starts[i].Clear();
                 AskAlone(i);
             }
 
             bool isBeyond = result.Status == GjkStatus.BeyondMaxDistance;
-            warmStarts.States[i] = isBeyond ? PairState.Beyond : PairState.Reported;
+            now.States[i] = isBeyond ? PairState.Beyond : PairState.Reported;
         }
     }
 
@@ -144,15 +145,15 @@ internal readonly struct SceneDistanceJob(
         if (WideBatch.IsSupported)
         {
             var question = new WideDistances(
-                ref warmStarts.Results[begin], ref warmStarts.Starts[begin], maxDistance);
+                ref warmStarts.Now.Results[begin], ref warmStarts.Now.Starts[begin], maxDistance);
             ref ObjectPair first = ref CollectionsMarshal.AsSpan(pairs)[begin];
-            new WideBatch(objects.Shapes, objects.Poses, ref first, ref warmStarts.Kept[begin])
+            new WideBatch(objects.Shapes, objects.Poses, ref first, ref warmStarts.Now.Kept[begin])
                 .Run(end - begin, ref question);
             return;
         }
 #endif
         for (int i = begin; i < end; i++)
-            if (!warmStarts.Kept[i]) AskAlone(i);
+            if (!warmStarts.Now.Kept[i]) AskAlone(i);
     }
 
     /// <summary>Asks about the pairs that are not convex, cold.</summary>
@@ -161,10 +162,10 @@ internal readonly struct SceneDistanceJob(
         ConcaveScratch scratch = objects.Parts.Rent();
         for (int i = begin; i < end; i++)
         {
-            if (warmStarts.Kept[i] || !objects.Parts.Has(pairs[i])) continue;
+            if (warmStarts.Now.Kept[i] || !objects.Parts.Has(pairs[i])) continue;
             PairDistance found = objects.Parts.Distance(pairs[i], maxDistance, scratch);
-            warmStarts.Results[i] = found.Result;
-            warmStarts.Parts[i] = new ObjectPair(found.PartA, found.PartB);
+            warmStarts.Now.Results[i] = found.Result;
+            warmStarts.Now.Parts[i] = new ObjectPair(found.PartA, found.PartB);
         }
 
         objects.Parts.Return(scratch);
@@ -173,8 +174,8 @@ internal readonly struct SceneDistanceJob(
     private void AskAlone(int i)
     {
         (ConvexShape[] shapes, RigidPose[] poses, ObjectPair pair) = (objects.Shapes, objects.Poses, pairs[i]);
-        warmStarts.Results[i] = ConvexQuery.Distance(
-            shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref warmStarts.Starts[i], maxDistance);
+        warmStarts.Now.Results[i] = ConvexQuery.Distance(
+            shapes[pair.A], poses[pair.A], shapes[pair.B], poses[pair.B], ref warmStarts.Now.Starts[i], maxDistance);
     }
 
     private bool IsClearlyBeyond(ObjectPair pair, in DistanceResult result)

@@ -7,7 +7,7 @@ internal sealed class SceneMoves(SceneObjects objects)
     public const int None = -1;
 
     /// <summary>Count of objects that one thread moves in turn. A matter of speed only.</summary>
-    private const int PartLength = 512;
+    private const int ShareLength = 512;
 
     /// <summary>By slot: the last move that names it, if that move names it.</summary>
     private int[] _lastMoves = [];
@@ -26,7 +26,7 @@ internal sealed class SceneMoves(SceneObjects objects)
     {
         Reserve(ids.Length);
         _refused = int.MaxValue;
-        Workers.Run(workers, new PrepareJob(this, objects, ids, poses), ids.Length, PartLength, CancellationToken.None);
+        Workers.Run(workers, new PrepareJob(this, objects, ids, poses), ids.Length, ShareLength, default);
         return _refused < int.MaxValue ? _refused : -1;
     }
 
@@ -35,7 +35,7 @@ internal sealed class SceneMoves(SceneObjects objects)
     {
         DropRepeated(poses.Length);
         Workers.Run(
-            workers, new ApplyJob(objects, Slots, poses, calls), poses.Length, PartLength, CancellationToken.None);
+            workers, new ApplyJob(objects, Slots, poses, calls), poses.Length, ShareLength, CancellationToken.None);
     }
 
     private void Reserve(int count)
@@ -64,7 +64,7 @@ internal sealed class SceneMoves(SceneObjects objects)
         lock (this) _refused = Math.Min(_refused, move);
     }
 
-    private readonly struct PrepareJob(SceneMoves moves, SceneObjects objects, int[] ids, RigidPose[] poses) : IPartJob
+    private readonly struct PrepareJob(SceneMoves moves, SceneObjects objects, int[] ids, RigidPose[] poses) : IShareJob
     {
         public void Run(int begin, int end)
         {
@@ -84,7 +84,7 @@ internal sealed class SceneMoves(SceneObjects objects)
         }
     }
 
-    private readonly struct ApplyJob(SceneObjects objects, int[] slots, RigidPose[] poses, long calls) : IPartJob
+    private readonly struct ApplyJob(SceneObjects objects, int[] slots, RigidPose[] poses, long calls) : IShareJob
     {
         public void Run(int begin, int end)
         {

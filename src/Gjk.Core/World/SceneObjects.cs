@@ -70,20 +70,17 @@ internal sealed class SceneObjects
         return End;
     }
 
-    /// <summary>The slot of the new object, for which there is room.</summary>
-    public int Add(
-        in ConvexShape shape, in RigidPose pose, in ShapeBounds bounds, in ObjectSettings settings, long call)
+    /// <summary>Adds an object, for which there is room.</summary>
+    public void Add(
+        in AnyShape shape, in RigidPose pose, in ShapeBounds bounds, in ObjectSettings settings, long call)
     {
         int slot = End++;
-        Shapes[slot] = shape;
+        SetShape(slot, shape, bounds, call);
         Poses[slot] = pose;
-        Bounds[slot] = bounds;
-        MovedAfter[slot] = _shapedAfter[slot] = _anyShapedAfter = call;
         SetSettings(slot, settings);
         Ids[slot] = _nextId++;
         Alive[slot] = true;
         Count++;
-        return slot;
     }
 
     /// <summary>Gives the object in a slot another shape.</summary>

@@ -14,7 +14,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     public bool Any { get; private set; }
 
     /// <summary>How many pairs make a part of a job: pairs of surfaces cost far more than convex ones.</summary>
-    public int PartLength => Any ? PairBatch.ConcavePartLength : PairBatch.PartLength;
+    public int ShareLength => Any ? PairBatch.ConcaveShareLength : PairBatch.ShareLength;
 
     /// <summary>Whether the object in a slot is not convex.</summary>
     public bool Has(int slot) => Any && objects.Shapes[slot].Kind == ShapeKind.None;

@@ -53,7 +53,7 @@ internal readonly struct AllRayHits(
 /// <summary>The first object that each of many rays meets.</summary>
 internal readonly struct SceneRayJob(
     EndlessPhase phase, SceneObjects objects, RayQuery[] rays, RayHit[] results, QueryFilter filter,
-    CastOptions options, RaySides sides) : IPartJob
+    CastOptions options, RaySides sides) : IShareJob
 {
     public void Run(int begin, int end)
     {

@@ -62,23 +62,14 @@ public readonly struct ShapeBounds
 
         if (shape.Kind == AnyShapeKind.None)
             throw new ArgumentException("A default AnyShape has no extent.", nameof(shape));
-        IPartSource parts = shape.Mesh is not null ? shape.Mesh.Source : shape.Compound!.Source;
-        PartBox box = PartBox.Nothing;
-        for (int i = 0; i < parts.Count; i++)
-        {
-            parts.GetBox(i, out Double3 min, out Double3 max);
-            box.Add(new PartBox(min, max));
-        }
-
+        PartBox box = PartBox.Of(shape.Mesh is not null ? shape.Mesh : shape.Compound!);
         this = new ShapeBounds((box.Min + box.Max) * 0.5, (box.Max - box.Min) * 0.5);
     }
 
     /// <summary>Measures the box of a tree, which may be a little larger than its parts, without a look at
     /// them.</summary>
     internal ShapeBounds(PartTree tree)
-        : this(
-            tree.Origin + tree.Read(0) * tree.Unit,
-            tree.ReachOf(0, new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1)) * tree.Unit)
+        : this(tree.Origin + tree.Read(0) * tree.Unit, tree.ReachOf(0) * tree.Unit)
     {
     }
 

@@ -6,7 +6,7 @@ namespace Gjk.Import;
 /// they run counter-clockwise. The projected coordinates are the given floats, so that its tests are exact.</summary>
 internal sealed class PolygonCorners
 {
-    private readonly PlanarTurn _turn = new();
+    private readonly PlanarOrientation _orientation = new();
     private int[] _vertices = [];
     private Vector3[] _points = [];
     private float[] _u = [], _v = [];
@@ -30,7 +30,7 @@ internal sealed class PolygonCorners
     public bool IsSame(int a, int b) => _points[a] == _points[b];
 
     /// <summary>1 if the corner c lies to the left of the line from a to b, 0 on it, -1 to the right. Exact.</summary>
-    public int Turn(int a, int b, int c) => _turn.Sign(_u[a], _v[a], _u[b], _v[b], _u[c], _v[c]);
+    public int Turn(int a, int b, int c) => _orientation.Sign(_u[a], _v[a], _u[b], _v[b], _u[c], _v[c]);
 
     /// <summary>Takes a polygon without its repeated corners, and without spikes, which go out and back on the same
     /// way: neither has an area.</summary>

@@ -15,6 +15,9 @@ public class FloorTests
     [InlineData("slivers of 1e-6")]
     [InlineData("filled T-junctions")]
     [InlineData("turned filled T-junctions")]
+    [InlineData("T-junctions")]
+    [InlineData("turned T-junctions")]
+    [InlineData("bricks")]
     [InlineData("tiles")]
     [InlineData("tiles with steps of 1e-6")]
     [InlineData("joined boxes")]
@@ -34,6 +37,38 @@ public class FloorTests
             foreach (PairContacts one in _contacts)
                 Assert.True(one.Manifold.Normal.Y > 0.9999f, $"{i}: {one}");
         }
+    }
+
+    /// <summary>A corner on another triangle's edge joins what meets there, however the mesh is scaled; once its
+    /// vertices have moved off the edge it does no more.</summary>
+    [Fact]
+    public void ACornerOnAnEdgeJoinsWhileItIsThere()
+    {
+        Vector3[] points = [new(-1, 0, -1), new(-1, 0, 0), new(-1, 0, 1), new(0, 0, -1), new(0, 0, 0), new(0, 0, 1),
+            new(1, 0, -1), new(1, 0, 1)];
+        int[] indices = [0, 1, 3, 3, 1, 4, 1, 2, 4, 4, 2, 5, 3, 5, 6, 6, 5, 7];
+        var mesh = new TriangleMesh(points, indices);
+        Assert.Equal((6, 10, 1), (mesh.TriangleCount, mesh.BorderEdgeCount, mesh.ComponentCount));
+        Assert.True(IsFlatUnder(mesh));
+        Assert.True(IsFlatUnder(mesh.Scaled(new Vector3(1, 3, 2))));
+        Assert.True(IsFlatUnder(mesh.WithVertices([.. points.Select(p => p + Vector3.UnitX * 0.01f)])));
+        points[4].X = -0.05f;
+        Assert.False(IsFlatUnder(mesh.WithVertices(points)));
+    }
+
+    private bool IsFlatUnder(TriangleMesh mesh)
+    {
+        Quaternion lying = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
+        AnyShape wheel = AnyShape.Of(ConvexShape.Cylinder(0.5f, 0.1f));
+        for (int i = 0; i < 60; i++)
+        {
+            var at = new RigidPose(lying, new Vector3(-0.3f + 0.01f * i, 0.45f, 0));
+            ConcaveQuery.FindContacts(
+                AnyShape.Surface(mesh), RigidPose.Identity, wheel, at, Reach / 2, _scratch, _contacts);
+            if (_contacts.Exists(one => one.Manifold.Normal.Y < 0.9999f)) return false;
+        }
+
+        return true;
     }
 
     /// <summary>A fin that stands on a floor is a third triangle at a seam: from the side it pushes sideways, and over
@@ -100,11 +135,13 @@ public class FloorTests
         Assert.NotEmpty(_contacts);
     }
 
-    private static AnyShape Body(int i) => AnyShape.Of((i % 5) switch
+    private static AnyShape Body(int i) => AnyShape.Of((i % 6) switch
     {
         0 => ConvexShape.Sphere(0.25f),
         1 => ConvexShape.Box(new Vector3(0.2f, 0.15f, 0.3f)),
         2 => ConvexShape.Cylinder(0.2f, 0.15f),
+        4 => ConvexShape.Cylinder(0.25f, 0.05f).Placed(
+            new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2), Vector3.Zero)),
         3 => ConvexShape.Capsule(0.1f, 0.3f).Placed(
             new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2), Vector3.Zero)),
         _ => ConvexShape.Box(new Vector3(0.05f, 0.15f, 0.05f)),

@@ -18,6 +18,9 @@ internal static class Floors
         "slivers of 1e-6" => AnyShape.Surface(Strips(0, 1e-6f)),
         "filled T-junctions" => AnyShape.Surface(Strips(0, 0)),
         "turned filled T-junctions" => AnyShape.Surface(Strips(0.3, 0)),
+        "T-junctions" => AnyShape.Surface(Strips(0, 0, isFilled: false)),
+        "turned T-junctions" => AnyShape.Surface(Strips(0.3, 0, isFilled: false)),
+        "bricks" => AnyShape.Surface(Bricks(0.3)),
         "tiles" => AnyShape.Of(new CompoundShape(Tiles(0))),
         "tiles with steps of 1e-6" => AnyShape.Of(new CompoundShape(Tiles(1e-6f))),
         "joined boxes" => AnyShape.Solid(Joined()),
@@ -54,9 +57,28 @@ internal static class Floors
         return new TriangleMesh(Vertices(plate), indices);
     }
 
+    /// <summary>Rows of rectangles along x, each row shifted against the one before: corners lie on edges of both
+    /// sides.</summary>
+    private static TriangleMesh Bricks(double turn)
+    {
+        var points = new List<Vector3>();
+        var indices = new List<int>();
+        for (int i = 0; i < 4 * Cells; i++)
+        {
+            (int row, int k) = (i / 4, i % 4);
+            float x = k - 0.3f * (row % 3), z = row * Cell;
+            int a = points.Count;
+            points.AddRange([Turned(x, z, turn), Turned(x + 1, z, turn)]);
+            points.AddRange([Turned(x, z + Cell, turn), Turned(x + 1, z + Cell, turn)]);
+            indices.AddRange([a, a + 2, a + 1, a + 1, a + 2, a + 3]);
+        }
+
+        return new TriangleMesh(points, indices);
+    }
+
     /// <summary>Strips along x, all but the first with a vertex on its near side, moved off the side by a height; a
-    /// thin triangle fills what that leaves between it and the strip before.</summary>
-    private static TriangleMesh Strips(double turn, float height)
+    /// thin triangle fills what that leaves between it and the strip before, unless it is left open.</summary>
+    private static TriangleMesh Strips(double turn, float height, bool isFilled = true)
     {
         var points = new List<Vector3>();
         var indices = new List<int>();
@@ -72,7 +94,8 @@ internal static class Floors
             }
 
             points.Add(Turned(1.3f, i * Cell + height, turn) + new Vector3(0, 0.1f * height, 0));
-            indices.AddRange([a + 2, middle, a, a + 2, a + 1, middle, a + 1, a + 2, a + 3, a, middle, a + 1]);
+            indices.AddRange([a + 2, middle, a, a + 2, a + 1, middle, a + 1, a + 2, a + 3]);
+            if (isFilled) indices.AddRange([a, middle, a + 1]);
         }
 
         return new TriangleMesh(points, indices);

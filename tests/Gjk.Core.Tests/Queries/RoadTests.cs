@@ -98,6 +98,15 @@ public class RoadTests
         }
     }
 
+    [Fact]
+    public void TheGuideForContributorsNamesAllThatAQueryIs()
+    {
+        string guide = File.ReadAllText(Path.Combine(ProjectFolder.Root, "CONTRIBUTING.md"));
+        Assert.All(
+            typeof(IPairSolver<>).GetMethods().Concat(typeof(ICoreSolver).GetMethods()),
+            method => Assert.Contains($"`{method.Name}`", guide));
+    }
+
     private static AnyShape Compound(List<MethodBase[]> stacks)
     {
         var probe = ConvexShape.Custom(new Probe(stacks));

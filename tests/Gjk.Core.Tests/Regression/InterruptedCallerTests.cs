@@ -112,7 +112,7 @@ public class InterruptedCallerTests
     }
 
     /// <summary>A worker holds its part until it is released; the caller lets a worker in first.</summary>
-    private readonly struct SlowOnWorkers(State state) : IPartJob
+    private readonly struct SlowOnWorkers(State state) : IShareJob
     {
         public void Run(int begin, int end)
         {

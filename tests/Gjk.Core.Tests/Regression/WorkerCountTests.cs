@@ -58,7 +58,7 @@ public class WorkerCountTests
     }
 
     /// <summary>A kind of its own for each type.</summary>
-    private readonly struct Job<T>(int[] done) : IPartJob
+    private readonly struct Job<T>(int[] done) : IShareJob
     {
         public void Run(int begin, int end)
         {

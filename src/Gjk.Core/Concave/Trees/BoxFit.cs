@@ -29,14 +29,8 @@ internal sealed class BoxFit
     public BoxFit(IPartSource source, PartItem[] items, int[]? order = null)
     {
         (_source, _items) = (source, items);
-        PartBox all = PartBox.Nothing;
-        for (int i = 0; i < items.Length; i++)
-        {
-            items[i] = new PartItem(source, order is null ? i : order[i]);
-            all.Add(items[i].Box);
-        }
-
-        SetFrame(all);
+        for (int i = 0; i < items.Length; i++) items[i] = new PartItem(source, order is null ? i : order[i]);
+        SetFrame(PartRange.Of(items, 0, items.Length).Box);
         ToFrame(items.Length);
     }
 
@@ -99,12 +93,7 @@ internal sealed class BoxFit
     public void WriteFrame(PartTree tree) => (tree.Origin, tree.Unit, tree.Radius) = (Origin, Unit, Radius);
 
     /// <summary>Finds the box of a range.</summary>
-    public void Measure(int begin, int end)
-    {
-        PartBox box = PartBox.Nothing;
-        for (int i = begin; i < end; i++) box.Add(_items[i].Box);
-        Measure(new PartRange(begin, end, box));
-    }
+    public void Measure(int begin, int end) => Measure(PartRange.Of(_items, begin, end));
 
     /// <inheritdoc cref="Measure(int, int)"/>
     public void Measure(in PartRange range)

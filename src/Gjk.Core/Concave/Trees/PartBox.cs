@@ -21,6 +21,14 @@ internal struct PartBox
         new Double3(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity),
         new Double3(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity));
 
+    /// <summary>Holds all parts.</summary>
+    public static PartBox Of(IPartSource source)
+    {
+        PartBox all = Nothing;
+        for (int i = 0; i < source.Count; i++) all.Add(new PartItem(source, i).Box);
+        return all;
+    }
+
     public readonly Double3 Min => new(MinX, MinY, MinZ);
 
     public readonly Double3 Max => new(MaxX, MaxY, MaxZ);

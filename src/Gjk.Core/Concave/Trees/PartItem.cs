@@ -26,6 +26,14 @@ internal readonly struct PartRange(int begin, int end, in PartBox box)
     public readonly double Weight = box.Area * (end - begin);
 
     public int Count => End - Begin;
+
+    /// <summary>The parts from one to before another.</summary>
+    public static PartRange Of(PartItem[] items, int begin, int end)
+    {
+        PartBox box = PartBox.Nothing;
+        for (int i = begin; i < end; i++) box.Add(items[i].Box);
+        return new PartRange(begin, end, box);
+    }
 }
 
 /// <summary>What gives the parts of a shape to the builder of a tree.</summary>

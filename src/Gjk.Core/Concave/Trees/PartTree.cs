@@ -51,13 +51,19 @@ internal sealed class PartTree
     public static PartTree Single()
     {
         var tree = new PartTree(new float[Stride], new int[Lanes], new int[1]);
-        for (int lane = 0; lane < Lanes; lane++)
-        {
-            tree.Children[lane] = lane == 0 ? Leaf(0, 1) : Empty;
-            for (int i = 0; i < 3; i++) tree.Boxes[Axes + (4 * i) * Lanes + lane] = 1;
-        }
-
+        WriteEmpty(tree.Boxes, tree.Children, 0);
+        tree.Children[0] = Leaf(0, 1);
         return tree;
+    }
+
+    /// <summary>Writes a node without boxes, but with axes.</summary>
+    public static void WriteEmpty(float[] boxes, int[] children, int node)
+    {
+        for (int lane = node * Lanes; lane < (node + 1) * Lanes; lane++)
+        {
+            children[lane] = Empty;
+            for (int axis = 0; axis < 3; axis++) boxes[At(lane) + Axes + 4 * axis * Lanes] = 1;
+        }
     }
 
     /// <summary>Writes the box of a single part.</summary>
@@ -83,6 +89,10 @@ internal sealed class PartTree
 
     /// <summary>Three numbers of a lane: the centre, the half sides or an axis.</summary>
     public Double3 Read(int at) => new(Boxes[at], Boxes[at + Lanes], Boxes[at + 2 * Lanes]);
+
+    /// <summary>How far a box reaches from its centre along the frame's axes, at most; in tree units.</summary>
+    public Double3 ReachOf(int at) =>
+        ReachOf(at, new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1));
 
     /// <summary>How far a box reaches from its centre along three directions of unit length, at most; in tree
     /// units.</summary>

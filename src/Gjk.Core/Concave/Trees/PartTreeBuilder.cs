@@ -57,7 +57,7 @@ internal sealed class PartTreeBuilder
     {
         var builder = new PartTreeBuilder(source, leafSize, mostInLeaf, workers);
         int root = builder.NewNode();
-        builder.Place(root, 0, builder.RangeOf(0, builder._items.Length), 1);
+        builder.Place(root, 0, PartRange.Of(builder._items, 0, builder._items.Length), 1);
         Array.Resize(ref builder._boxes, builder._nodes * PartTree.Stride);
         Array.Resize(ref builder._children, builder._nodes * PartTree.Lanes);
         int[] order = Array.ConvertAll(builder._items, item => item.Part);
@@ -81,13 +81,7 @@ internal sealed class PartTreeBuilder
             Array.Resize(ref _children, 2 * _children.Length);
         }
 
-        for (int i = 0; i < PartTree.Lanes; i++)
-        {
-            _children[_nodes * PartTree.Lanes + i] = PartTree.Empty;
-            for (int axis = 0; axis < 3; axis++)
-                _boxes[_nodes * PartTree.Stride + PartTree.Axes + 4 * axis * PartTree.Lanes + i] = 1;
-        }
-
+        PartTree.WriteEmpty(_boxes, _children, _nodes);
         return _nodes++;
     }
 
@@ -160,19 +154,12 @@ internal sealed class PartTreeBuilder
     private static int Shifted(int child, int shift) => child < 0 ? child : child + shift;
 
     /// <summary>Builds branches, whose first lane is the lane of the tree that they grow from.</summary>
-    private readonly struct BranchJob(PartTreeBuilder[] branches, PartRange[] ranges) : IPartJob
+    private readonly struct BranchJob(PartTreeBuilder[] branches, PartRange[] ranges) : IShareJob
     {
         public void Run(int begin, int end)
         {
             for (int i = begin; i < end; i++) branches[i].Place(branches[i].NewNode(), 0, ranges[i], 2);
         }
-    }
-
-    private PartRange RangeOf(int begin, int end)
-    {
-        PartBox box = PartBox.Nothing;
-        for (int i = begin; i < end; i++) box.Add(_items[i].Box);
-        return new PartRange(begin, end, box);
     }
 
     /// <summary>Puts the parts on one side of the best cut first; they are the range then, and the others the
@@ -185,7 +172,7 @@ internal sealed class PartTreeBuilder
         if (cut < 0)
         {
             int middle = begin + range.Count / 2;
-            (range, rest) = (RangeOf(begin, middle), RangeOf(middle, end));
+            (range, rest) = (PartRange.Of(_items, begin, middle), PartRange.Of(_items, middle, end));
             return;
         }
 

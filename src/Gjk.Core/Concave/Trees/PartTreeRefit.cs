@@ -1,50 +1,32 @@
 namespace Gjk.Core;
 
 /// <summary>Fits a tree to parts that have moved: the same leaves and nodes, with new boxes.</summary>
-internal sealed class PartTreeRefit
+internal static class PartTreeRefit
 {
-    private readonly PartTree _tree;
-    private readonly BoxFit _fit;
-
-    private PartTreeRefit(IPartSource source, PartTree like)
-    {
-        _fit = new BoxFit(source, new PartItem[like.Order.Length], like.Order);
-        _tree = new PartTree((float[])like.Boxes.Clone(), like.Children, like.Order);
-        _fit.WriteFrame(_tree);
-    }
-
     /// <summary>A tree of the same form as another.</summary>
-    /// <param name="source">The parts, as many as the other's.</param>
-    /// <param name="like">The other tree, which stays as it is.</param>
     public static PartTree Fit(IPartSource source, PartTree like)
     {
-        var refit = new PartTreeRefit(source, like);
-        refit.Place(0, 0, out _, out _);
-        return refit._tree;
+        var fit = new BoxFit(source, new PartItem[like.Order.Length], like.Order);
+        var tree = new PartTree((float[])like.Boxes.Clone(), like.Children, like.Order);
+        fit.WriteFrame(tree);
+        Place(fit, tree, 0, out _, out _);
+        return tree;
     }
 
-    /// <summary>Writes a lane's box, after those below it, and gives the range of its parts.</summary>
-    private void Place(int node, int lane, out int begin, out int end)
+    /// <summary>Writes a box, after those below it, and gives the range of its parts.</summary>
+    private static void Place(BoxFit fit, PartTree tree, int box, out int begin, out int end)
     {
-        int child = _tree.Children[node * PartTree.Lanes + lane];
-        if (child < 0)
+        int child = tree.Children[box];
+        (begin, end) = (int.MaxValue, 0);
+        if (child < 0) (begin, end) = (PartTree.FirstOf(child), PartTree.FirstOf(child) + PartTree.CountOf(child));
+        for (int i = PartTree.Lanes * child; child >= 0 && i < PartTree.Lanes * (child + 1); i++)
         {
-            begin = PartTree.FirstOf(child);
-            end = begin + PartTree.CountOf(child);
-        }
-        else
-        {
-            (begin, end) = (int.MaxValue, 0);
-            for (int i = 0; i < PartTree.Lanes; i++)
-            {
-                if (_tree.Children[child * PartTree.Lanes + i] == PartTree.Empty) continue;
-                Place(child, i, out int first, out int last);
-                begin = Math.Min(begin, first);
-                end = Math.Max(end, last);
-            }
+            if (tree.Children[i] == PartTree.Empty) continue;
+            Place(fit, tree, i, out int first, out int last);
+            (begin, end) = (Math.Min(begin, first), Math.Max(end, last));
         }
 
-        _fit.Measure(begin, end);
-        _fit.Write(_tree.Boxes, node * PartTree.Stride + lane);
+        fit.Measure(begin, end);
+        fit.Write(tree.Boxes, PartTree.At(box));
     }
 }

@@ -46,9 +46,7 @@ internal sealed class RegionRefit
     /// <summary>Fits the frame and all boxes, as far as a tree of this form can be.</summary>
     public void FitAll()
     {
-        PartBox all = PartBox.Nothing;
-        for (int i = 0; i < _source.Count; i++) all.Add(new PartItem(_source, i).Box);
-        _fit.SetFrame(all);
+        _fit.SetFrame(PartBox.Of(_source));
         _fit.WriteFrame(_tree);
         _region = PartBox.Everything;
         Place(0);
@@ -72,8 +70,7 @@ internal sealed class RegionRefit
 
     private bool MeetsRegion(int at)
     {
-        Double3 center = _tree.Read(at);
-        Double3 reach = _tree.ReachOf(at, new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1));
+        Double3 center = _tree.Read(at), reach = _tree.ReachOf(at);
         Double3 low = center - reach, high = center + reach;
         return low.X <= _region.MaxX && low.Y <= _region.MaxY && low.Z <= _region.MaxZ
             && high.X >= _region.MinX && high.Y >= _region.MinY && high.Z >= _region.MinZ;

@@ -38,7 +38,7 @@ internal sealed class FaceRegions
         _points = points;
         _triangles = triangles;
         Double3 extent = (Double3)bounds.Max - bounds.Min;
-        _flatness = Math.Max(Flatness * Largest(extent), Math.Max(Rounding(bounds.Min), Rounding(bounds.Max)));
+        _flatness = Math.Max(Flatness * extent.LargestMagnitude, Math.Max(Rounding(bounds.Min), Rounding(bounds.Max)));
         _outline = new FaceOutline(points);
         _faceOf = new int[triangles.Length / 3];
         VertexStart = new int[points.Length + 1];
@@ -168,9 +168,7 @@ internal sealed class FaceRegions
         return faces.ToArray();
     }
 
-    private static double Rounding(in Double3 corner) => FloatRounding * Largest(corner);
-
-    private static double Largest(in Double3 v) => Math.Max(Math.Max(Math.Abs(v.X), Math.Abs(v.Y)), Math.Abs(v.Z));
+    private static double Rounding(in Double3 corner) => FloatRounding * corner.LargestMagnitude;
 
     private Double3 Corner(int triangle, int k) => _points[_triangles[3 * triangle + k]];
 

@@ -27,17 +27,10 @@ internal sealed class HullPredicates
     public HullPredicates(Vector3[] points)
     {
         _points = points;
-        Vector3 min = points[0], max = points[0];
-        foreach (Vector3 p in points)
-        {
-            min = Vector3.Min(min, p);
-            max = Vector3.Max(max, p);
-        }
-
-        _extentX = (double)max.X - min.X;
-        _extentY = (double)max.Y - min.Y;
-        _extentZ = (double)max.Z - min.Z;
-        _exactInDouble = IsCoarseLattice(points, Math.Max(Math.Max(_extentX, _extentY), _extentZ));
+        var bounds = Aabb.Around(points);
+        Double3 extent = (Double3)bounds.Max - bounds.Min;
+        (_extentX, _extentY, _extentZ) = (extent.X, extent.Y, extent.Z);
+        _exactInDouble = IsCoarseLattice(points, bounds.LongestSide);
     }
 
     public Vector3[] Points => _points;

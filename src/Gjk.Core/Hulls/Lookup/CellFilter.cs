@@ -1,13 +1,13 @@
 namespace Gjk.Core;
 
-/// <summary>Finds out which vertices of a list cannot be furthest anywhere in a part of the direction cube. See
+/// <summary>Finds out which vertices of a list cannot be furthest anywhere in a rectangle of the direction cube. See
 /// <see cref="HullCellLists"/> for the proof.</summary>
 /// <param name="points">x, y, z of each vertex in stretched units.</param>
 /// <param name="grid">How directions are drawn.</param>
 internal sealed class CellFilter(double[] points, CellGrid grid)
 {
-    /// <summary>Points of a part where the furthest vertex of the list, a champion, is known: three rows of three.
-    /// Champions beat most others.</summary>
+    /// <summary>Count: sample points of a rectangle, three rows of three. The furthest vertex of the list is known
+    /// there; it is a champion, and champions beat most others.</summary>
     public const int Samples = 9;
 
     /// <summary>In stretched units. A computed dot product of the scan is off by at most 36 u, u = 2^-53: three
@@ -31,7 +31,7 @@ internal sealed class CellFilter(double[] points, CellGrid grid)
     private int _championCount, _axisU, _axisV, _axisW;
     private double _u, _v, _w, _halfU, _halfV;
 
-    /// <summary>Makes a part the one that the other methods are about.</summary>
+    /// <summary>Chooses the rectangle for the other methods.</summary>
     public void Aim(in CellRect rect)
     {
         _grid.Measure(rect, out _u, out _v, out _halfU, out _halfV);
@@ -48,7 +48,7 @@ internal sealed class CellFilter(double[] points, CellGrid grid)
     /// <param name="from">Where the list begins.</param>
     /// <param name="count">How long it is.</param>
     /// <param name="samples">Receives the champions.</param>
-    /// <param name="at">Where the part's samples begin.</param>
+    /// <param name="at">Where the rectangle's samples begin.</param>
     public void FindChampions(int first, int step, int[] list, int from, int count, int[] samples, int at)
     {
         double u = _u + (first % 3 - 1) * _halfU, v = _v + (first / 3 - 1) * _halfV;
@@ -85,8 +85,8 @@ internal sealed class CellFilter(double[] points, CellGrid grid)
         return kept - to;
     }
 
-    /// <summary>Drops the vertices that lie below some other wherever in the part, one here and another there; gives
-    /// the number that is left.</summary>
+    /// <summary>Drops the vertices that are beaten everywhere in the rectangle, here by one other and there by another;
+    /// gives the number that is left.</summary>
     public int Clip(int[] samples, int firstSample, int[] list, int from, int count)
     {
         Distinct(samples, firstSample);
@@ -123,8 +123,8 @@ internal sealed class CellFilter(double[] points, CellGrid grid)
         }
     }
 
-    /// <summary>Some champion is higher by more than the slack at the part's corners, and so everywhere between
-    /// them.</summary>
+    /// <summary>Whether some champion is higher by more than the slack at the rectangle's corners, and so everywhere
+    /// between them.</summary>
     private bool IsBeaten(int i)
     {
         double u = _points[3 * i + _axisU], v = _points[3 * i + _axisV];

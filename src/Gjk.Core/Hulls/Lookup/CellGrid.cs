@@ -33,7 +33,7 @@ internal readonly struct CellGrid
 
     public double SignW(int face) => (face & 1) == 0 ? 1 : -1;
 
-    /// <summary>The centre of a part and half its sides, a little widened. A single row has no height.</summary>
+    /// <summary>The centre of a rectangle and half its sides, a little widened. A single row has no height.</summary>
     public void Measure(in CellRect rect, out double u, out double v, out double halfU, out double halfV)
     {
         u = (double)(rect.Column + rect.EndColumn) / Columns - 1;

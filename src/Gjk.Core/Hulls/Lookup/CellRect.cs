@@ -25,7 +25,7 @@ internal readonly struct CellRect(int face, int column, int endColumn, int row, 
             ? new CellRect(Face, Column, Column + Columns / 2, Row, EndRow)
             : new CellRect(Face, Column, EndColumn, Row, Row + Rows / 2);
 
-    /// <summary>The rest.</summary>
+    /// <summary>The other half.</summary>
     public CellRect UpperHalf() =>
         Columns >= Rows
             ? new CellRect(Face, Column + Columns / 2, EndColumn, Row, EndRow)

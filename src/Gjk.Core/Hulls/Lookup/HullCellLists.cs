@@ -3,13 +3,13 @@ namespace Gjk.Core;
 /// <summary>Makes the lists of <see cref="HullCells"/>: for each cell of the direction cube the vertices that can be
 /// furthest in its directions.</summary>
 /// <remarks>
-/// <para>The lists are made from the top down. A face of the cube starts with all vertices. All parts are cut in two
-/// again and again until they are cells. A part's list is the list of the part that it was cut from, less the vertices
-/// that are beaten everywhere in the part.</para>
+/// <para>The lists are made from the top down. A face of the cube starts with all vertices. All rectangles are cut in
+/// two again and again until they are cells. The list of a rectangle is that of the one it was cut from, less the
+/// vertices that are beaten everywhere in it.</para>
 /// <para>Why no list can lack the vertex that the scan finds: a vertex p is dropped only if in every direction of the
-/// part some other vertex q is higher than p by more than a slack, which exceeds the rounding of two dot products. So
-/// in every direction of the part the computed dot product of some q is larger than that of p, and p is not what the
-/// scan finds. This does not depend on which q are tried or on what else was dropped. Nothing is assumed about edges or
+/// rectangle some other vertex q is higher than p by more than a slack, which exceeds the rounding of two dot products.
+/// So in every such direction the computed dot product of some q is larger than that of p, and p is not what the scan
+/// finds. This does not depend on which q are tried or on what else was dropped. Nothing is assumed about edges or
 /// neighbours.</para>
 /// <para>"Everywhere" is decided in two ways. The height of q above p is a linear function of u and v. Its least value
 /// on a rectangle is that at the centre less what it changes along half of each side. If that exceeds the slack for one
@@ -17,7 +17,7 @@ namespace Gjk.Core;
 /// higher. If nothing is left, p goes. All is measured in stretched units: the largest component of a direction is 1,
 /// and no coordinate exceeds 4.</para>
 /// <para>A vertex whose cone of directions is long and thin, as on the rim of a prism, is in many lists. When the lists
-/// of a cut would take too much memory, the parts stay as they are, and their cells share a list.</para>
+/// of a cut would take too much memory, the rectangles stay as they are, and their cells share a list.</para>
 /// </remarks>
 internal sealed class HullCellLists
 {
@@ -106,7 +106,7 @@ internal sealed class HullCellLists
         for (int i = 0; i < _rects.Count; i++) Finish(filter, i);
     }
 
-    /// <summary>Each face is a part.</summary>
+    /// <summary>Each face is a rectangle.</summary>
     private void Begin(CellFilter filter)
     {
         int[] all = new int[_count];
@@ -126,7 +126,7 @@ internal sealed class HullCellLists
         }
     }
 
-    /// <summary>Cuts all parts in two. False when none can be cut, or when the lists would take too much
+    /// <summary>Cuts all rectangles in two. False when none can be cut, or when the lists would take too much
     /// memory.</summary>
     private bool TryCut(CellFilter filter)
     {
@@ -166,14 +166,14 @@ internal sealed class HullCellLists
         return isCut;
     }
 
-    /// <summary>Whether the lists of a part's cells will be too long: if each vertex is in one cell only, and if each
-    /// crosses the part in a line. Cutting on would be in vain.</summary>
+    /// <summary>Whether the lists of a rectangle's cells will be too long: if each vertex is in one cell only, and if
+    /// each crosses the part in a line. Cutting on would be in vain.</summary>
     private static bool IsHopeless(in CellRect rect) =>
         rect.Count > LongestList / 2 * rect.Cells
         && (double)rect.Count * rect.Count > 4.0 * LongestList * LongestList * rect.Cells;
 
-    /// <summary>Of a half's nine points the part knows six; the champions of the three in the middle are looked
-    /// for.</summary>
+    /// <summary>The champions at six of a half's nine points are known from the whole; those at the three in the middle
+    /// are searched for.</summary>
     private void InheritSamples(CellFilter filter, in CellRect rect, int at, int half, int[] samples, int to)
     {
         bool byColumns = rect.Columns >= rect.Rows;

@@ -73,7 +73,7 @@ internal readonly struct HullDirection
     private static bool TryRescale(in Double3 direction, in Double3 stretch, out Double3 rescaled)
     {
         rescaled = DirectionRange.ToUnit(WithExtent(direction, stretch));
-        double largest = Math.Max(Math.Max(Math.Abs(rescaled.X), Math.Abs(rescaled.Y)), Math.Abs(rescaled.Z));
+        double largest = rescaled.LargestMagnitude;
         return largest > 0 && largest <= double.MaxValue;
     }
 

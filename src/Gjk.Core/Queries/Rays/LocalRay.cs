@@ -3,8 +3,8 @@ namespace Gjk.Core;
 /// <summary>A ray as a shape sees it: in the shape's axes, and measured from the point of its line that is nearest to
 /// the shape's centre, the foot.</summary>
 /// <remarks>A hit is a root of small numbers then, however far away the ray begins: no digits are left to cancel. The
-/// foot itself is m - u (u · m), with m from the centre to the origin and u the unit direction. That loses |m| u; from
-/// an origin that is many radii away it is d × (m × d) / d², with the inner product in double-double.</remarks>
+/// foot itself is m - e (e · m), with m from the centre to the origin and e the unit direction. That loses 2^-53 |m|;
+/// for an origin that is many radii away it is d × (m × d) / d², with the inner product in double-double.</remarks>
 internal struct LocalRay
 {
     /// <summary>Ratio of the origin's distance to the radius: beyond it the foot is found in double-double. Up to it
@@ -12,8 +12,8 @@ internal struct LocalRay
     /// RayAccuracyTests.</summary>
     private const double FarOrigin = 256;
 
-    /// <summary>Squared ratio: a pass that brings the line's point nearer than by a millionth may have left a
-    /// ten-billionth of what remains. Pinned by RayThinTests.</summary>
+    /// <summary>Squared ratio: after a pass that has brought the foot nearer than a millionth of its old distance, a
+    /// ten-billionth of what remains may be rounding. Pinned by RayThinTests.</summary>
     private const double Farther = 1e-12;
 
     /// <summary>Ratio to the lengths that cancel: 2^-90, more than double-double loses when it turns a vector twice

@@ -110,5 +110,5 @@ internal static class RayBody
 
     /// <summary>Whether the line runs along the base of a cone, or an end of a cylinder.</summary>
     private static bool IsAlongCap(in LocalRay ray, in Double3 size) =>
-        RayGraze.IsAlongSlab(size.Y, ray.Foot.Y, ray.Direction.Y, RayGraze.LengthOf(ray.Direction), size.X + size.Y);
+        RayGraze.IsAlongSlab(size.Y, ray.Foot.Y, ray.Direction.Y, ray.Direction.LargestMagnitude, size.X + size.Y);
 }

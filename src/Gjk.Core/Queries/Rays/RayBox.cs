@@ -11,7 +11,7 @@ internal static class RayBox
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsAlongSide(in LocalRay ray, in Double3 half)
     {
-        double length = RayGraze.LengthOf(ray.Direction), size = half.X + half.Y + half.Z;
+        double length = ray.Direction.LargestMagnitude, size = half.X + half.Y + half.Z;
         return RayGraze.IsAlongSlab(half.X, ray.Foot.X, ray.Direction.X, length, size)
             | RayGraze.IsAlongSlab(half.Y, ray.Foot.Y, ray.Direction.Y, length, size)
             | RayGraze.IsAlongSlab(half.Z, ray.Foot.Z, ray.Direction.Z, length, size);

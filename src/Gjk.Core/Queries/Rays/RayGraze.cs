@@ -26,7 +26,7 @@ internal static class RayGraze
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsAlongFlat(in Double3 size, in Double3 direction)
     {
-        double flat = Flat * LengthOf(size), slope = LeastSlope * LengthOf(direction);
+        double flat = Flat * size.LargestMagnitude, slope = LeastSlope * direction.LargestMagnitude;
         return (Math.Abs(size.X) <= flat & Math.Abs(direction.X) <= slope)
             | (Math.Abs(size.Y) <= flat & Math.Abs(direction.Y) <= slope)
             | (Math.Abs(size.Z) <= flat & Math.Abs(direction.Z) <= slope);
@@ -47,7 +47,7 @@ internal static class RayGraze
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsAlongSide(double slope, double outside, in Double3 direction, double radius, double size)
     {
-        double length = LengthOf(direction);
+        double length = direction.LargestMagnitude;
         return slope <= LeastSlope * LeastSlope * length * length
             && IsAlong(outside / (2 * radius), Math.Sqrt(slope), length, size);
     }
@@ -68,9 +68,4 @@ internal static class RayGraze
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsAlongSlab(double half, double foot, double slope, double length, double size) =>
         IsAlong(half - Math.Abs(foot), slope, length, size);
-
-    /// <summary>The largest component of a direction.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double LengthOf(in Double3 direction) =>
-        Math.Max(Math.Max(Math.Abs(direction.X), Math.Abs(direction.Y)), Math.Abs(direction.Z));
 }

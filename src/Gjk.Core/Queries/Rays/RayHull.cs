@@ -18,7 +18,7 @@ internal static class RayHull
     {
         span = RaySpan.Everything;
         int entry = -1;
-        double length = RayGraze.LengthOf(direction), size = hull.BoundingRadius;
+        double length = direction.LargestMagnitude, size = hull.BoundingRadius;
 #if NET
         bool isLeft = Vector256.IsHardwareAccelerated
             ? ClipLanes(foot, direction, planes.Blocks, length, size, ref span, out entry)

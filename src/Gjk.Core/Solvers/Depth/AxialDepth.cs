@@ -63,14 +63,14 @@ internal static unsafe class AxialDepth<TA, TB>
         return verdict;
     }
 
-    /// <summary>Looks at a known direction, or at half a circle of them.</summary>
+    /// <summary>Probes a known direction, or half a circle of them.</summary>
     public static Verdict Probe(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, int limit, ref SolverState state,
         ref DepthBounds depth) =>
         way.IsDirection ? Probe(ref a, ref b, frame, way, ref state, ref depth)
             : Walk(ref a, ref b, frame, way, 0, Noise, limit, ref state, ref depth);
 
-    /// <summary>The direction is known.</summary>
+    /// <summary>Probes one direction, which is known to be the best.</summary>
     private static Verdict Probe(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
     {
@@ -78,9 +78,9 @@ internal static unsafe class AxialDepth<TA, TB>
         return depth.VerdictOr(state, Verdict.Enclosed);
     }
 
-    /// <summary>Looks at a known direction, or searches the plane, or where the bodies are only nearly coaxial one
-    /// plane after the other all around the axis: each proves those beside it as far as the slope lets it, and how ways
-    /// out change where it is.</summary>
+    /// <summary>Probes a known direction, or searches the plane. Where the bodies are only nearly coaxial it searches
+    /// one plane after the other, all around the axis: each proves those beside it, as far as the slope and the rate at
+    /// which its ways out change allow.</summary>
     public static Verdict SearchAround(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
     {
@@ -106,8 +106,8 @@ internal static unsafe class AxialDepth<TA, TB>
         return verdict;
     }
 
-    /// <summary>Looks for a shorter way out beside the shortest, around the axis and along it, in ever smaller steps:
-    /// against one that is longer than it need be, only narrow planes could be proved.</summary>
+    /// <summary>Searches for a shorter way out beside the shortest, around the axis and along it, in ever smaller
+    /// steps: the shorter it is, the wider the angle that one plane proves.</summary>
     private static void Descend(
         ref TA a, ref TB b, in PairFrame frame, in WayOut way, ref SolverState state, ref DepthBounds depth)
     {

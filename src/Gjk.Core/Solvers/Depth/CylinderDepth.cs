@@ -65,7 +65,7 @@ internal static class CylinderDepth<TA, TB>
         Double3 axis = around.Axis, nearest = around.Across * Double3.Dot(around.Across, frame.Translation);
         Double3 first = nearest, second = nearest;
         double size = state.Size.Value, known = double.PositiveInfinity, length = nearest.Length;
-        for (int looks = 0; looks < GjkTolerances.MaxIterations; looks++)
+        for (int corners = 0; corners < GjkTolerances.MaxIterations; corners++)
         {
             if (!(length < known && length > GjkTolerances.DepthNoiseCurved * size)) return false;
             Double3 normal = nearest * (1 / length);

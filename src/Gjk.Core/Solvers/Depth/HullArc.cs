@@ -42,7 +42,7 @@ internal struct HullArc
     }
 
     /// <summary>Walks as far as ways out may be short, if the arc's lower end is this one.</summary>
-    /// <returns>False when the looks are spent, or a way out on it is not what the walk took it for.</returns>
+    /// <returns>False when the probes are spent, or a way out on the arc is not what the walk took it for.</returns>
     public bool TryWalk<TA, TB>(
         in HullFacet facet, ref TA a, ref TB b, in PairFrame frame, in PairForm form, ref FacetSearch search)
         where TA : struct, ISupportMap

@@ -13,9 +13,9 @@ namespace Gjk.Core;
 /// <para>The poles of a sphere from sine and cosine are copies 1e-17 apart, and facets between them have no normal but
 /// rounding. Facets so thin that the depth is the same without them are left out, and so are corners on the line of an
 /// edge, which is walked from both sides then.</para>
-/// <para>It terminates because looks are counted. Verdicts: Enclosed when every facet and arc was proved to be no
+/// <para>It terminates because probes are counted. Verdicts: Enclosed when every facet and arc was proved to be no
 /// cheaper than the cheapest way out, which a support of both hulls has confirmed; Apart as those of the general
-/// search; Undecided when the looks are spent, or rounding has led a walk astray.</para>
+/// search; Undecided when the probes are spent, or rounding has led a walk astray.</para>
 /// </remarks>
 internal static class HullDepth<TA, TB>
     where TA : struct, ISupportMap
@@ -25,11 +25,11 @@ internal static class HullDepth<TA, TB>
     /// millisecond.</summary>
     private const int MostTriangles = 1 << 14;
 
-    /// <summary>Count: facets and changes along arcs that may be looked at; three milliseconds. Pinned by
-    /// HullDepthTests.</summary>
-    private const int MostLooks = 1 << 14;
+    /// <summary>Count: probes, one for each facet and for each change along an arc; all of them take three
+    /// milliseconds. Pinned by HullDepthTests.</summary>
+    private const int MostProbes = 1 << 14;
 
-    /// <summary>Ratio: the part of B's facets that tells how many looks all of them will take.</summary>
+    /// <summary>Ratio: after one facet of B in so many it is judged how many probes all of them will take.</summary>
     private const int Sample = 8;
 
     /// <summary>Finds the depth from what the general search has left in the state.</summary>
@@ -37,7 +37,7 @@ internal static class HullDepth<TA, TB>
     {
         if (!form.AreFaceted || form.A.TriangleCount + form.B.TriangleCount > MostTriangles)
             return Verdict.Undecided;
-        var search = new FacetSearch(form, state, MostLooks);
+        var search = new FacetSearch(form, state, MostProbes);
         bool isProved = TryFacetsOfB(ref a, ref b, frame, form, ref search)
             && TryFacetsOfA(ref a, ref b, frame, form, ref search);
         state.Iterations += search.Supports;
@@ -53,8 +53,8 @@ internal static class HullDepth<TA, TB>
         int count = form.B.TriangleCount, lines = 0;
         for (int i = 0; i < count; i++)
         {
-            // Not worth to begin: the looks will not do for all of B's facets and as many at A's.
-            if (i == count / Sample && search.Supports * Sample * 2 > MostLooks * 5 / 8) return false;
+            // Not worth going on: the probes will not do for all of B's facets and as many of A's.
+            if (i == count / Sample && search.Supports * Sample * 2 > MostProbes * 5 / 8) return false;
             HullFacet.Get(ref b, form.B, i, out HullFacet facet);
             if (facet.HasNoArea)
             {
@@ -105,7 +105,7 @@ internal static class HullDepth<TA, TB>
 }
 
 /// <summary>What a search over facets knows, and how much it may still do.</summary>
-internal struct FacetSearch(in PairForm form, in SolverState state, int looks)
+internal struct FacetSearch(in PairForm form, in SolverState state, int mostProbes)
 {
     /// <summary>The cheapest way out.</summary>
     public DepthBounds Depth = DepthBounds.FromState(state);
@@ -119,23 +119,23 @@ internal struct FacetSearch(in PairForm form, in SolverState state, int looks)
     /// <summary>Length: what rounding does to a height.</summary>
     public readonly double Noise = state.DepthNoise;
 
-    private int _looks = looks;
+    private int _probesLeft = mostProbes;
 
-    /// <summary>Whether nothing may be looked at any more.</summary>
-    public readonly bool AreSpent => _looks < 0;
+    /// <summary>Whether no probe is left.</summary>
+    public readonly bool AreSpent => _probesLeft < 0;
 
-    /// <summary>What is as high is no cheaper than the cheapest way out, but for rounding.</summary>
+    /// <summary>A facet as high as this is no cheaper than the cheapest way out, but for rounding.</summary>
     public readonly double Limit => Depth.Upper - Noise;
 
-    /// <summary>Takes note of a direction whose way out costs at least so much. Where that seems to be the least,
-    /// supports of both shapes say what it does cost.</summary>
-    /// <returns>False when the looks are spent, or the supports do not agree.</returns>
+    /// <summary>Counts a direction whose way out costs at least a height. Where that would be the cheapest, supports of
+    /// both shapes say what it does cost.</summary>
+    /// <returns>False when the probes are spent, or the supports do not agree.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryProbe<TA, TB>(ref TA a, ref TB b, in PairFrame frame, in Double3 normal, double height)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        if (--_looks < 0) return false;
+        if (--_probesLeft < 0) return false;
         Supports++;
         if (height >= Depth.Upper) return true;
         Double3 unit = normal * (1 / normal.Length);
@@ -153,7 +153,7 @@ internal struct HullFacet
     /// less only moves triangles from one to the other.</summary>
     private const double Thin = 1e-4;
 
-    /// <summary>Ratio to a height: more than that. A facet that is higher than asked by less is looked at in
+    /// <summary>Ratio to a height: more than rounding does to it. A facet that clears a height by less is probed in
     /// vain.</summary>
     public const double Slack = 1e-11;
 

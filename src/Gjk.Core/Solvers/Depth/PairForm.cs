@@ -32,7 +32,7 @@ internal readonly struct PairForm(in BodyForm a, in BodyForm b, in PairFrame fra
     /// <summary>Whether one is an ellipsoid.</summary>
     public bool HasEllipsoid => A.Radii != default || B.Radii != default;
 
-    /// <summary>Looks at a pair.</summary>
+    /// <summary>Finds what the forms of a pair say.</summary>
     /// <param name="a">The first shape, in world units.</param>
     /// <param name="b">The second shape, in world units.</param>
     /// <param name="frame">Where B is, seen from A; its units are the form's.</param>

@@ -161,7 +161,8 @@ internal static class SignedSolver<TA, TB, TTrace>
         return verdict;
     }
 
-    /// <summary>Whether a shape may be a round body; the meshes' core is not, and costs no look.</summary>
+    /// <summary>Whether a shape may be a round body; the core of a mesh is not, and its form need not be
+    /// read.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool MayBeRound<T>(ref T shape)
         where T : struct, ISupportMap =>

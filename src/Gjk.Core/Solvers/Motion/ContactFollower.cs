@@ -24,8 +24,8 @@ internal static class ContactFollower<TA, TB>
     /// <summary>Ratio to the tolerance: the gap at which a contact is over. Pinned by TouchingImpactTests.</summary>
     private const double Ended = 2;
 
-    /// <summary>Ratio and count: how much further each look for the end is, and how often; 2^64 times the first in all.
-    /// Pinned by TouchingImpactTests.</summary>
+    /// <summary>Ratio and count: how much further each look for the end goes, and how many there are; the last goes
+    /// 2^62 times as far as the first. Pinned by TouchingImpactTests.</summary>
     private const double Further = 4;
 
     private const int MaxLooks = 32;

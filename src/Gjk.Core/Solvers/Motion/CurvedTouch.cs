@@ -4,18 +4,20 @@ namespace Gjk.Core;
 /// within 1e-6 of the size, a distance within 1e-9; so B is moved out of A by a known length, and the distance there is
 /// held against it.</summary>
 /// <remarks>The plane that separates the shapes there bounds the depth where B was, soundly. The bound is sharp where
-/// its normal is that of the shortest way out: one that is off by an angle costs half its square of the length. The
-/// second look begins with the first one's normal, which is sharper than that of the depth.</remarks>
+/// its normal is that of the shortest way out: one that is off by an angle costs half its square of the length. So B is
+/// moved out twice: the second time along the normal that was found the first time, which is sharper than that of the
+/// depth.</remarks>
 internal static class CurvedTouch<TA, TB>
     where TA : struct, ISupportMap
     where TB : struct, ISupportMap
 {
     /// <summary>Ratio to the size: how far B is moved out, far above the depth and below the shapes' radii. Four times
-    /// more or less changes nothing but how many looks are enough. Pinned by TouchingStartTests.</summary>
+    /// more or less changes nothing but how many rounds are enough. Pinned by TouchingStartTests.</summary>
     private const double Retreat = 1e-3;
 
-    /// <summary>Count: looks. One is too few: pinned by RayStartTests. More are only slower.</summary>
-    private const int MaxLooks = 2;
+    /// <summary>Count: how often B is moved out. Once is too few: pinned by RayStartTests. More are only
+    /// slower.</summary>
+    private const int MaxRounds = 2;
 
     /// <summary>Ratio to the size: what is deeper is deep, whatever the search leaves open (5e-7 where it has to divide
     /// its surface), and is not looked at. A larger one is only slower; a quarter would do where nothing is
@@ -36,7 +38,7 @@ internal static class CurvedTouch<TA, TB>
             && gap >= -GjkTolerances.TouchCurved * state.Size.Value;
     }
 
-    /// <summary>Looks at shapes that overlap by less than the search for a depth can tell.</summary>
+    /// <summary>Measures the gap of shapes that overlap by less than the search for a depth can tell.</summary>
     /// <param name="a">The first core.</param>
     /// <param name="b">The second one.</param>
     /// <param name="frame">The pair.</param>
@@ -54,7 +56,7 @@ internal static class CurvedTouch<TA, TB>
         touch.Normal = state.Feature.Normal * -scale;
         PairFrame moved = frame;
         NoTrace trace = default;
-        for (int look = 0; look < MaxLooks && !(gap >= -GjkTolerances.TouchCurved * size); look++)
+        for (int round = 0; round < MaxRounds && !(gap >= -GjkTolerances.TouchCurved * size); round++)
         {
             moved.Translation = frame.Translation + touch.Normal * (Retreat * size);
             SolverState.Make<TA, TB>(moved, out SolverState apart);

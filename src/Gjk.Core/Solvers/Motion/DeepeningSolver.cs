@@ -5,12 +5,12 @@ namespace Gjk.Core;
 /// one unknown).</summary>
 /// <remarks>
 /// <para>The signed distance to the Minkowski difference A - B, a convex set, is a convex function, inside too. So the
-/// support plane that comes with each look at it bounds it from below along the whole line, and the feature bounds it
-/// from above where it was looked at. The lowest point that a falling and a rising plane leave open is looked at next.
-/// A look that is deep enough ends the search, and so do planes that leave no room for one.</para>
-/// <para>One look mostly does: a motion along a face or away from it is told by the first plane, a motion into the
-/// shape by the first place ahead. A slope may be allowed on top of the depth; it is added to the signed distance,
-/// which stays convex.</para>
+/// support plane that comes with each probe bounds it from below along the whole line, and the feature bounds it from
+/// above at the probe. The next probe is at the lowest point that a falling and a rising plane leave open. A probe that
+/// is deep enough ends the search, and so do planes that leave no room for one.</para>
+/// <para>Mostly one probe is enough: the first plane decides a motion along a face or away from it, and the first place
+/// ahead a motion into the shape. A slope may be allowed on top of the depth; it is added to the signed distance, which
+/// stays convex.</para>
 /// <para>It terminates because the room that the planes leave shrinks: a polytope has finitely many of them, and along
 /// a curved shape it falls with the square of the bracket. MaxRounds is a backstop.</para>
 /// <para>Verdicts. Hit: they get deeper, or nothing proves that they do not, so that no contact is lost. Miss: they do
@@ -24,7 +24,7 @@ internal static class DeepeningSolver<TA, TB>
     /// four. Random pairs take less than ten; more are harmless. Pinned by CastOptionsTests.</summary>
     private const int MaxRounds = 32;
 
-    /// <summary>Looks along the line until it is known.</summary>
+    /// <summary>Probes the line until the answer is known.</summary>
     /// <param name="a">The first core.</param>
     /// <param name="b">The second one.</param>
     /// <param name="frame">The pair at the fraction 0; its translation is moved.</param>

@@ -3,7 +3,7 @@ namespace Gjk.Core;
 /// <summary>The pairs that a frame asks about and those of the frame before, both sorted: a pair finds its place in the
 /// last frame by a walk along both lists at once, and pairs that are gone are left behind. What is known of a pair is
 /// in the tables of those that inherit this.</summary>
-internal abstract class PairFrames
+internal abstract class PairHistory
 {
     private ulong[] _now = [], _last = [];
     private int _lastCount;
