@@ -105,8 +105,10 @@ internal static class CoveredSides
     {
         bool isThere = TryPoints(scratch, isA, contact, maxGap, way, out ContactManifold manifold, out double tip)
             && tip < 0 && FaceSearch.IsAsDeep(manifold, tip);
-        if (isThere) contact = DeepestPoint.Contact(contact.PartA, contact.PartB, manifold, contact);
-        return isThere;
+        if (!isThere) return false;
+        contact = DeepestPoint.Contact(contact.PartA, contact.PartB, manifold, contact);
+        FlushSides.KeepShown(ref contact, new PartsCover(scratch, isA, contact));
+        return true;
     }
 
     /// <summary>The points of two parts along another way than their own; where there are none, the other part's tip

@@ -99,6 +99,26 @@ internal static class FlushSides
         return true;
     }
 
+    /// <summary>Takes out the points lower than a contact's deepest one over which the body goes on, as at the slanting
+    /// edge of a wall's triangle.</summary>
+    public static void KeepShown(ref PairContacts one, in PartsCover cover)
+    {
+        ContactManifold manifold = one.Manifold, shown = default;
+        if (manifold.Count < 2 || !cover.Side.HasJoints) return;
+        Double3 top = CoveredSides.FootOf(manifold[DeepestPoint.Of(manifold)], cover.IsA, cover.Side.Pose);
+        ConvexShape room = default;
+        double size = cover.Part(ref room).BoundingRadius;
+        shown.Begin(manifold.Normal);
+        for (int i = 0; i < manifold.Count; i++)
+        {
+            Double3 foot = CoveredSides.FootOf(manifold[i], cover.IsA, cover.Side.Pose), to = foot - top;
+            bool isLower = Double3.Dot(to, cover.Outward) < -CoveredSides.RoomOf(top, to, cover.Side.Pose);
+            if (!isLower || !cover.GoesOn(JustBeyond(foot, cover.Outward, size), cover.Outward)) shown.Add(manifold[i]);
+        }
+
+        if (shown.Count < manifold.Count) one = new PairContacts(one.PartA, one.PartB, one.Result, shown, one.Pair);
+    }
+
     /// <summary>Whether a part ends in a plane.</summary>
     private static bool IsFlush(in ConvexShape own, in RigidPose pose, in OpenPlane plane)
     {

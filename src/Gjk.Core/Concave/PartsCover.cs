@@ -72,8 +72,8 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         return JoinedGrounds.IsOn(scratch, Side, isA, Part(ref room), Side.Local(point));
     }
 
-    /// <summary>The plane in which the body ends near the witness, before what is just beyond that; the way out where
-    /// that is in it.</summary>
+    /// <summary>The plane in which the body ends near the witness: before what is just beyond that, or across the way
+    /// out where that is in it.</summary>
     public OpenPlane EndNear()
     {
         Double3 witness = Witness;
@@ -92,9 +92,12 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 int part = isA ? near.PartA : near.PartB;
                 Double3 point = FlushSides.Beside(witness, Outward, side.MiddleOfPart(part));
                 bool isAny = least.Status != GjkStatus.None;
-                if (isAny && CoveredSides.IsClear(side, part, side.Local(point), least.Distance)) continue;
+                if (isAny && CoveredSides.IsClear(side, part, side.Local(point), Math.Max(least.Distance, 0))) continue;
                 var pose = new RigidPose((Vector3)point);
-                DistanceResult found = ConvexQuery.Distance(side.Part(part, ref room), side.Pose, shape, pose);
+                ref readonly ConvexShape beside = ref side.Part(part, ref room);
+                DistanceResult found = ConvexQuery.Distance(beside, side.Pose, shape, pose);
+                if (found.Distance == 0)
+                    found = ConvexQuery.SignedDistance(beside, side.Pose, Along(beside.BoundingRadius), pose);
                 if (SeamContacts.Judge(side, part, found.Normal) != ContactFit.Stays) continue;
                 if (!isAny || found.Distance < least.Distance) least = found;
             }
@@ -102,4 +105,9 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
 
         return new OpenPlane(least.PointA, least.Normal, 0);
     }
+
+    /// <summary>A line along the way out: of a part that it crosses it leaves across that way, and not through the side
+    /// that is shared.</summary>
+    private ConvexShape Along(double reach) =>
+        ConvexShape.Segment((Vector3)(Outward * -reach), (Vector3)(Outward * reach));
 }

@@ -104,7 +104,11 @@ internal static class SeamContacts
         {
             PairContacts one = contacts[i];
             scratch.Select(one.Pair);
-            if (!IsCovered(scratch, isA, one, areAtJoints[i])) contacts[kept++] = one;
+            if (!IsCovered(scratch, isA, one, areAtJoints[i]))
+            {
+                FlushSides.KeepShown(ref one, new PartsCover(scratch, isA, one));
+                contacts[kept++] = one;
+            }
             else if (areAtJoints[i] && FlushSides.TryFlush(scratch, isA, ref one, maxGap)) contacts[kept++] = one;
             else if (AreLevel(scratch, one, isA)) Replace(scratch, isA, one, areAtJoints[i], maxGap);
         }

@@ -32,6 +32,38 @@ public class HeldTests
         }
     }
 
+    /// <summary>Deeper than half its width it is nearer to the sides that the boxes share than to their tops.</summary>
+    [Theory]
+    [InlineData(2f, 0.15f)]
+    [InlineData(2f, 0.2f)]
+    [InlineData(2f, 0.35f)]
+    [InlineData(0.5f, 0.2f)]
+    public void AWheelOverTheSeamOfBoxesIsLifted(float half, float depth)
+    {
+        var box = ConvexShape.Box(new Vector3(half, 1, 2));
+        var wheel = ConvexShape.Cylinder(0.8f, 0.15f);
+        Quaternion lying = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2);
+        for (int seed = 0; seed < 100; seed++)
+        {
+            var random = new FuzzRandom((ulong)seed);
+            float off = seed % 3 == 0 ? 0 : random.Float(-0.05, 0.05);
+            Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6));
+            RigidPose floor = seed % 4 == 0 ? RigidPose.Identity : new RigidPose(yaw, new Vector3(2, 0, 1));
+            RigidPose left = Placed(floor, new Vector3(-half, -1, 0), Quaternion.Identity);
+            RigidPose right = Placed(floor, new Vector3(half, -1, 0), Quaternion.Identity);
+            RigidPose at = Placed(floor, new Vector3(off, 0.8f - depth, random.Float(-0.5, 0.5)), lying);
+            AnyShape both = AnyShape.Of(new CompoundShape([new(box, left), new(box, right)]));
+            ConcaveQuery.FindContacts(both, RigidPose.Identity, AnyShape.Of(wheel), at, Reach, _scratch, _contacts);
+            AssertUp($"compound {seed}", depth, 1);
+            var scene = new CollisionScene();
+            var still = new ObjectSettings(isStatic: true);
+            scene.Add(box, left, still);
+            scene.Add(box, right, still);
+            scene.FindContacts(wheel, at, Reach, _contacts);
+            AssertUp($"scene {seed}", depth, -1);
+        }
+    }
+
     [Theory]
     [InlineData("ball", 0f)]
     [InlineData("ball", 0.1f)]
@@ -143,6 +175,19 @@ public class HeldTests
         Assert.True(ConcaveQuery.FindContacts(surface, RigidPose.Identity, box, at, 0, _scratch, _contacts));
         PairContacts wall = Assert.Single(_contacts, one => one.PartA == 4);
         Assert.Equal((Vector3.UnitZ, 0, 4), (wall.Manifold.Normal, wall.Result.Distance, wall.Manifold.Count));
+    }
+
+    private static RigidPose Placed(in RigidPose floor, Vector3 at, Quaternion turn) =>
+        new(floor.Rotation * turn, floor.Position + Vector3.Transform(at, floor.Rotation));
+
+    private void AssertUp(string where, float depth, float sign)
+    {
+        Assert.True(_contacts.Count > 0, $"{where}: contact lost");
+        foreach (PairContacts one in _contacts)
+        {
+            Assert.True(sign * one.Manifold.Normal.Y > 0.99999f, $"{where}: {one}");
+            Assert.True(MathF.Abs(one.Result.Distance + depth) < 1e-4f, $"{where}: {one}");
+        }
     }
 
     private void AssertLifted(string where, float depth)

@@ -44,6 +44,44 @@ public class SolidChildContactTests
         }
     }
 
+    /// <summary>Where four solid tiles meet, their walls' triangles have slanting edges; only the floor's own points
+    /// count.</summary>
+    [Fact]
+    public void EveryPointOnSolidTilesIsOnTheirTop()
+    {
+        var tile = AnyShape.Solid(ConcaveShapes.Box(new Vector3(1, 0.2f, 1)));
+        var parts = new CompoundPart[4];
+        var scene = new CollisionScene();
+        for (int i = 0; i < 4; i++)
+        {
+            var at = new RigidPose(new Vector3(i % 2 == 0 ? -1 : 1, -0.2f, i < 2 ? -1 : 1));
+            parts[i] = new CompoundPart(tile, at);
+            scene.Add(tile, at, new ObjectSettings(isStatic: true));
+        }
+
+        AnyShape floor = AnyShape.Of(new CompoundShape(parts)), body = AnyShape.Of(ConvexShape.Box(new Vector3(0.5f)));
+        List<PairContacts> contacts = [];
+        for (int seed = 0; seed < 1000; seed++)
+        {
+            var random = new FuzzRandom((ulong)seed);
+            Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6.3));
+            float depth = random.Float(0.001, 0.05);
+            var at = new RigidPose(yaw, new Vector3(random.Float(-0.3, 0.3), 0.5f - depth, random.Float(-0.3, 0.3)));
+            Assert.True(ConcaveQuery.FindContacts(floor, s_here, body, at, 0.01f, _scratch, contacts));
+            AssertAllAre(-depth, contacts, $"compound {seed}");
+            scene.FindContacts(body.Convex, at, 0.01f, contacts);
+            AssertAllAre(-depth, contacts, $"scene {seed}");
+        }
+    }
+
+    private static void AssertAllAre(float gap, List<PairContacts> contacts, string where)
+    {
+        Assert.True(contacts.Count > 0, $"{where}: contact lost");
+        foreach (PairContacts one in contacts)
+            for (int k = 0; k < one.Manifold.Count; k++)
+                Assert.True(Math.Abs(one.Manifold[k].Gap - gap) < 1e-5f, $"{where}: {one}");
+    }
+
     /// <summary>A contact along the other body's face names the triangle at its tip, which may look aside; of a solid
     /// alone 2 % do so here.</summary>
     [Fact]
