@@ -6,7 +6,7 @@ namespace Gjk.Core;
 /// <remarks>What it is made of are its children. Those of several parts are taken apart when it is built: parts have
 /// their numbers in the order of the children, and those of one child in its own order. Poses are composed in double,
 /// and no coordinate is rounded to float on the way, however deep a part was nested. A placed part takes some 300 to
-/// 700 bytes, a triangle too, and one of a solid among other children some 200 more: several times as much as in a
+/// 700 bytes, a triangle too, and one of a solid among other children some 350 more: several times as much as in a
 /// <see cref="TriangleMesh"/>. It is a copy: <see cref="HeightField.SetHeights"/> does not change it. What is inside a
 /// solid child is inside the compound.</remarks>
 [DebuggerDisplay("{" + nameof(PartCount) + "} parts")]

@@ -48,7 +48,7 @@ internal static class CoveredSides
         {
             Double3 to = one.Foot - plane.Foot;
             bool isAsDeep = plane.Depth >= one.Depth && (plane.Normal - one.Normal).SumOfMagnitudes <= Room;
-            double least = Room * to.SumOfMagnitudes + RoundingAt(one.Foot);
+            double least = Room * to.SumOfMagnitudes;
             if (isAsDeep && Math.Abs(Double3.Dot(to, one.Normal)) <= least) return;
         }
 
@@ -87,8 +87,8 @@ internal static class CoveredSides
         {
             if (!IsAcross(plane, cover.Outward)) continue;
             Double3 to = plane.Foot - witness;
-            if (Math.Abs(Double3.Dot(plane.Normal, to)) <= RoomOf(witness, to, cover.Side.Pose)
-                && ReachesBeyond(plane, witness, cover.Outward, own, cover.Side.Pose))
+            if (Math.Abs(Double3.Dot(plane.Normal, to)) <= RoomOf(witness, to, cover.Side)
+                && ReachesBeyond(plane, witness, cover.Outward, own, cover.Side))
             {
                 return true;
             }
@@ -247,8 +247,8 @@ internal static class CoveredSides
     /// <summary>World units: by so much rounding moves what is at a place.</summary>
     public static double RoundingAt(in Double3 place) => Rounding * place.SumOfMagnitudes;
 
-    public static double RoomOf(in Double3 point, in Double3 to, in RigidPose pose) =>
-        Room * ((point - pose.Position).SumOfMagnitudes + to.SumOfMagnitudes) + RoundingAt(pose.Position);
+    public static double RoomOf(in Double3 point, in Double3 to, PartSide side) =>
+        Room * ((point - side.Pose.Position).SumOfMagnitudes + to.SumOfMagnitudes) + side.Rounding;
 
     /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and
     /// covered there.</summary>
@@ -256,29 +256,28 @@ internal static class CoveredSides
         in OpenPlane plane, in Double3 foot, in Double3 outward, in ConvexShape own, in PartsCover cover)
     {
         Double3 to = plane.Foot - foot;
-        double behind = Double3.Dot(plane.Normal, to), room = RoomOf(foot, to, cover.Side.Pose);
+        double behind = Double3.Dot(plane.Normal, to), room = RoomOf(foot, to, cover.Side);
         if (!(Math.Abs(behind - plane.Depth / 2) <= plane.Depth / 2 + room)) return false;
         Double3 lifted = foot + plane.Normal * behind;
-        return cover.GoesOn(lifted, outward) && !ReachesBeyond(plane, lifted, outward, own, cover.Side.Pose);
+        return cover.GoesOn(lifted, outward) && !ReachesBeyond(plane, lifted, outward, own, cover.Side);
     }
 
     /// <summary>Whether a part is there beyond a plane, along its normal or along the side that the part shows at a
     /// point of it.</summary>
     private static bool ReachesBeyond(
-        in OpenPlane plane, in Double3 point, in Double3 outward, in ConvexShape own, in RigidPose pose)
+        in OpenPlane plane, in Double3 point, in Double3 outward, in ConvexShape own, PartSide side)
     {
         Double3 along = plane.Normal - outward * Double3.Dot(plane.Normal, outward);
-        return Holds(own, pose, point, plane.Normal) || Holds(own, pose, point, along * (1 / along.Length));
+        return Holds(own, side, point, plane.Normal) || Holds(own, side, point, along * (1 / along.Length));
     }
 
     /// <summary>Whether a part holds what is just beyond a point.</summary>
-    private static bool Holds(in ConvexShape own, in RigidPose pose, in Double3 point, in Double3 direction)
+    private static bool Holds(in ConvexShape own, PartSide side, in Double3 point, in Double3 direction)
     {
-        RotationD turn = new(pose.Rotation);
-        Double3 local = turn.InverseRotate(point - pose.Position), beyond = turn.InverseRotate(direction);
+        Double3 local = side.Local(point), beyond = side.Turned(direction);
         own.Support(beyond, out Double3 most);
         double length = (own.Center - local).Length + most.Length + own.Margin + local.Length;
-        double room = Room * length + RoundingAt(pose.Position);
+        double room = Room * length + side.Rounding;
         return IsWithin(own, local + beyond * (Beyond * room), room);
     }
 

@@ -64,7 +64,7 @@ internal static class FlushSides
         {
             bool isOther = Double3.Dot(plane.Normal, outward) >= -CoveredSides.Room
                 && (plane.Normal - outward).SumOfMagnitudes > CoveredSides.Room;
-            if (!isOther || !IsFlush(own, side.Pose, plane)) continue;
+            if (!isOther || !IsFlush(own, side, plane)) continue;
             PairContacts found = one;
             bool isThere = TryAlong(scratch, ref found, maxGap, plane.Normal, cover);
             if (isThere && (best.Manifold.Count == 0 || found.Result.Distance > best.Result.Distance)) best = found;
@@ -112,7 +112,7 @@ internal static class FlushSides
         for (int i = 0; i < manifold.Count; i++)
         {
             Double3 foot = CoveredSides.FootOf(manifold[i], cover.IsA, cover.Side.Pose), to = foot - top;
-            bool isLower = Double3.Dot(to, cover.Outward) < -CoveredSides.RoomOf(top, to, cover.Side.Pose);
+            bool isLower = Double3.Dot(to, cover.Outward) < -CoveredSides.RoomOf(top, to, cover.Side);
             if (!isLower || !cover.GoesOn(JustBeyond(foot, cover.Outward, size), cover.Outward)) shown.Add(manifold[i]);
         }
 
@@ -120,8 +120,10 @@ internal static class FlushSides
     }
 
     /// <summary>Whether a part ends in a plane.</summary>
-    private static bool IsFlush(in ConvexShape own, in RigidPose pose, in OpenPlane plane)
+    private static bool IsFlush(in ConvexShape own, PartSide side, in OpenPlane plane)
     {
+        RigidPose pose = side.Pose;
+
         // A triangle ends at its edges too, but it is no wall there.
         if (own.Kind == ShapeKind.Triangle
             && MetFeatures.Of(own, pose, (Vector3)plane.Normal, out _) != MetFeature.Face)
@@ -133,7 +135,7 @@ internal static class FlushSides
         own.Support(turn.InverseRotate(plane.Normal), out Double3 most);
         Double3 top = turn.Rotate(own.Center + most) + pose.Position + plane.Normal * own.Margin;
         Double3 to = top - plane.Foot;
-        return Math.Abs(Double3.Dot(to, plane.Normal)) <= CoveredSides.RoomOf(plane.Foot, to, pose);
+        return Math.Abs(Double3.Dot(to, plane.Normal)) <= CoveredSides.RoomOf(plane.Foot, to, side);
     }
 
     /// <summary>The direction against the face that a part shows to a direction, if that is near; else 0.</summary>

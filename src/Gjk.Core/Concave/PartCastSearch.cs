@@ -109,10 +109,8 @@ internal struct PartCastSearch
     /// <summary>Passes also what B does not get deeper into if it begins elsewhere.</summary>
     public void Lift(in RigidPose pose, in Double3 lift)
     {
-        _isLifted = true;
-        _lift = lift;
-        bool turns = _motion.A.AngularVelocity != Vector3.Zero || _motion.B.AngularVelocity != Vector3.Zero;
-        _wayOfLifted = turns ? default : _motion.Way;
+        bool turns = (_motion.A.AngularVelocity, _motion.B.AngularVelocity) != default;
+        (_isLifted, _lift, _wayOfLifted) = (true, lift, turns ? default : _motion.Way);
         _lifted = new RigidMotion(pose, _motion.B.Velocity, _motion.B.AngularVelocity);
         _liftedOptions = UnionLift.Within(UnionLift.RoundingOf(_motion.A.Pose) + UnionLift.RoundingOf(pose));
     }

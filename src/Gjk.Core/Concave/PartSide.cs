@@ -9,8 +9,9 @@ internal sealed class PartSide
 
     public RigidPose Pose;
 
-    /// <summary>World units: what rounding may make of its place.</summary>
-    public double Rounding => CoveredSides.RoundingAt(Pose.Position);
+    /// <summary>World units: what rounding may make of its place beside others that it is joined to; the parts of a
+    /// compound are in their places as one.</summary>
+    public double Rounding => IsJoined ? CoveredSides.RoundingAt(Pose.Position) : 0;
 
     public PartTree Tree = null!;
 

@@ -27,6 +27,7 @@ public enum GjkStatus : byte
     /// NaN.</summary>
     InvalidInput = 5,
 
-    /// <summary>A support function contradicted itself or returned NaN: everything else is NaN.</summary>
+    /// <summary>A support function contradicted itself or returned NaN, or both shapes are half-spaces: everything else
+    /// is NaN.</summary>
     InvalidShape = 6,
 }

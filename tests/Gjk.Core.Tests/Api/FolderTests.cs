@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 168,
         ["BroadPhase"] = 1015,
-        ["Concave"] = 3699,
+        ["Concave"] = 3698,
         ["Concave/Trees"] = 724,
         ["Contacts"] = 1032,
         ["Cores"] = 566,
