@@ -11,7 +11,7 @@ public sealed partial class CollisionScene
 
     /// <summary>Whether static objects that are flush, such as the tiles of a floor, count as one body in
     /// <see cref="FindContacts(float, List{PairContacts}, Workers)"/>: an object has no contact with a side of one that
-    /// another one covers. True unless it is set.</summary>
+    /// another one covers. Half-spaces are not joined. True unless it is set.</summary>
     public bool JoinsStatic { get; set; } = true;
 
     /// <summary>Which pairs are within the gap that the contacts are for.</summary>
