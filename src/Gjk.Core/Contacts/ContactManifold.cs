@@ -62,20 +62,10 @@ public struct ContactManifold
 
     internal void Add(in ManifoldPoint point)
     {
-        switch (Count++)
-        {
-            case 0:
-                _first = point;
-                break;
-            case 1:
-                _second = point;
-                break;
-            case 2:
-                _third = point;
-                break;
-            default:
-                _fourth = point;
-                break;
-        }
+        int index = Count++;
+        if (index == 0) _first = point;
+        else if (index == 1) _second = point;
+        else if (index == 2) _third = point;
+        else _fourth = point;
     }
 }
