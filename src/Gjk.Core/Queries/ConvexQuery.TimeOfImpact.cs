@@ -100,9 +100,9 @@ public static unsafe partial class ConvexQuery
             var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warm);
             if (!question.TryBeginInBalls(ref shapeA, ref shapeB, out CastResult found))
                 found = question.Run(ref shapeA, ref shapeB);
-            bool isSettled = found.Status != CastStatus.OverlappingAtStart
-                && !(options.PassesShallow && found.Status == CastStatus.Hit);
-            return isSettled ? found : SettleImpact(ref shapeA, ref shapeB, found, options, ref question);
+            return options.Settles(found.Status)
+                ? found
+                : SettleImpact(ref shapeA, ref shapeB, found, options, ref question);
         }
     }
 
