@@ -71,20 +71,20 @@ public class FolderTests(ITestOutputHelper output)
     private static readonly Dictionary<string, int> Budgets = new()
     {
         ["Arithmetic"] = 128,
-        ["Batch"] = 168,
-        ["BroadPhase"] = 1015,
+        ["Batch"] = 164,
+        ["BroadPhase"] = 993,
         ["Concave"] = 3611,
         ["Concave/Trees"] = 724,
-        ["Contacts"] = 1032,
+        ["Contacts"] = 1013,
         ["Cores"] = 566,
-        ["Diagnostics"] = 681,
-        ["Geometry"] = 610,
+        ["Diagnostics"] = 653,
+        ["Geometry"] = 612,
         ["Hulls"] = 208,
         ["Hulls/Building"] = 822,
         ["Hulls/Lookup"] = 873,
         ["Minkowski"] = 338,
-        ["Queries"] = 1925,
-        ["Queries/Rays"] = 571,
+        ["Queries"] = 1911,
+        ["Queries/Rays"] = 569,
         ["Shapes"] = 1280,
         ["Simplex"] = 885,
         ["Solvers"] = 606,
@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 89,
         ["Threading"] = 211,
         ["Wide"] = 908,
-        ["World"] = 1199,
+        ["World"] = 1196,
     };
 
     [Fact]
