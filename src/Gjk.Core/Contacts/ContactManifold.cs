@@ -44,11 +44,7 @@ public struct ContactManifold
     }
 
     /// <summary>Removes all points.</summary>
-    public void Clear()
-    {
-        Count = 0;
-        Normal = Vector3.Zero;
-    }
+    public void Clear() => Begin(Vector3.Zero);
 
     /// <summary>The points, for people to read.</summary>
     public override readonly string ToString() =>
