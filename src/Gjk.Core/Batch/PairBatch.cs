@@ -168,28 +168,26 @@ public static partial class PairBatch
         ConvexShape[] shapes, RigidPose[] poses, ObjectPair[] pairs, DistanceResult[] results, WarmStart[]? warmStarts,
         float maxDistance) : IShareJob
     {
-        public void Run(int begin, int end)
+        public unsafe void Run(int begin, int end)
         {
 #if NET
             if (WideBatch.IsSupported)
             {
-                ref WarmStart starts = ref Unsafe.NullRef<WarmStart>();
-                if (warmStarts is not null) starts = ref warmStarts[begin];
-                var question = new WideDistances(ref results[begin], ref starts, maxDistance);
+                ref WarmStart first = ref Unsafe.NullRef<WarmStart>();
+                if (warmStarts is not null) first = ref warmStarts[begin];
+                var question = new WideDistances(ref results[begin], ref first, maxDistance);
                 new WideBatch(shapes, poses, ref pairs[begin], ref Unsafe.NullRef<bool>())
                     .Run(end - begin, ref question);
                 return;
             }
 #endif
-            for (int i = begin; i < end; i++)
+            fixed (WarmStart* starts = warmStarts)
             {
-                (int a, int b) = (pairs[i].A, pairs[i].B);
-                if (warmStarts is null)
-                    PairQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], maxDistance, out results[i]);
-                else
+                for (int i = begin; i < end; i++)
                 {
-                    results[i] = ConvexQuery.Distance(
-                        shapes[a], poses[a], shapes[b], poses[b], ref warmStarts[i], maxDistance);
+                    (int a, int b) = (pairs[i].A, pairs[i].B);
+                    WarmStart* warm = starts == null ? null : starts + i;
+                    PairQuery.Distance(shapes[a], poses[a], shapes[b], poses[b], warm, maxDistance, out results[i]);
                 }
             }
         }

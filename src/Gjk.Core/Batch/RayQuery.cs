@@ -26,12 +26,7 @@ public readonly struct RayQuery
         Direction = Guard.Finite(direction, nameof(direction));
         if (direction == Vector3.Zero)
             throw new ArgumentOutOfRangeException(nameof(direction), direction, "Must not be zero.");
-        if (!(maxDistance >= 0))
-        {
-            throw new ArgumentOutOfRangeException(nameof(maxDistance), maxDistance, "Must not be negative or NaN.");
-        }
-
-        MaxDistance = maxDistance;
+        MaxDistance = Guard.NonNegativeOrInfinite(maxDistance, nameof(maxDistance));
     }
 
     /// <summary>False for a <c>default</c> one.</summary>

@@ -206,7 +206,7 @@ internal sealed partial class AabbTree
     {
         if (end - begin == 1) return order[begin];
         int middle = order.Split(begin, end);
-        if (depth >= MaxCurveDepth) middle = CurveOrder.Middle(begin, end);
+        if (depth >= MaxCurveDepth) middle = begin + (end - begin) / 2;
         int node = _free[--_freeCount];
         int left = Join(order, begin, middle, depth + 1), right = Join(order, middle, end, depth + 1);
         _nodes[node].Left = left;

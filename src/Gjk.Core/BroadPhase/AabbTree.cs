@@ -212,22 +212,10 @@ internal sealed partial class AabbTree
         float area = AabbNode.Area(branch);
         float withLeft = AabbNode.UnionArea(_nodes[child], _nodes[branch.Left]);
         float withRight = AabbNode.UnionArea(_nodes[child], _nodes[branch.Right]);
-        int raised;
-        if (withLeft < area && withLeft <= withRight)
-        {
-            raised = branch.Right;
-            branch.Right = child;
-        }
-        else if (withRight < area)
-        {
-            raised = branch.Left;
-            branch.Left = child;
-        }
-        else
-        {
-            return;
-        }
-
+        bool raisesRight = withLeft < area && withLeft <= withRight;
+        if (!raisesRight && !(withRight < area)) return;
+        int raised = raisesRight ? branch.Right : branch.Left;
+        Replace(sibling, raised, child);
         Replace(node, child, raised);
         _parents[child] = sibling;
         _parents[raised] = node;

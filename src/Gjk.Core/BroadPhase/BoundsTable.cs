@@ -24,30 +24,22 @@ internal sealed class BoundsTable
     /// <summary>One more than the largest number ever in use since the last clear.</summary>
     public int End;
 
-    /// <summary>Refuses a number that cannot be added.</summary>
-    public void CheckNew(int id)
+    /// <summary>Refuses a number that cannot be added, and makes room for one that can; nothing changes if there is no
+    /// memory for it.</summary>
+    public void Reserve(int id)
     {
         if (id < 0) throw new ArgumentOutOfRangeException(nameof(id), id, "Must not be negative.");
         if (id >= IdLimit) throw new ArgumentOutOfRangeException(nameof(id), id, "Must be below 16,777,216.");
         if (IsPresent(id))
             throw new ArgumentException(FormattableString.Invariant($"There is an object {id} already."), nameof(id));
-    }
-
-    /// <summary>Makes room for a number; nothing changes if there is no memory for it.</summary>
-    public void Reserve(int id)
-    {
         if (id < Boxes.Length) return;
         int capacity = Math.Min(Grown(Boxes.Length, id), IdLimit);
-        var boxes = new Aabb[capacity];
-        bool[] present = new bool[capacity];
-        Array.Copy(Boxes, boxes, End);
-        Array.Copy(Present, present, End);
-        (Boxes, Present) = (boxes, present);
+        Array.Resize(ref Present, capacity);
+        Array.Resize(ref Boxes, capacity);
     }
 
     public void Add(int id, in Aabb bounds)
     {
-        CheckNew(id);
         Reserve(id);
         Boxes[id] = bounds;
         Present[id] = true;
@@ -72,8 +64,7 @@ internal sealed class BoundsTable
 
     public static void CheckQuery(float margin, List<ObjectPair> pairs)
     {
-        if (!(margin >= 0))
-            throw new ArgumentOutOfRangeException(nameof(margin), margin, "Must not be negative or NaN.");
+        Guard.NonNegativeOrInfinite(margin, nameof(margin));
         Guard.NotNull(pairs, nameof(pairs)).Clear();
     }
 

@@ -61,10 +61,8 @@ internal sealed class CurveOrder(BoundsTable table)
             InPlaceSort.Sort(_keys, begin, end - begin);
         }
 
-        return IsOneCell(begin, end) ? Middle(begin, end) : MortonCurve.Split(_keys, begin, end);
+        return MortonCurve.Split(_keys, begin, end);
     }
-
-    public static int Middle(int begin, int end) => begin + (end - begin) / 2;
 
     private bool IsOneCell(int begin, int end) => _keys[begin] >> 32 == _keys[end - 1] >> 32;
 

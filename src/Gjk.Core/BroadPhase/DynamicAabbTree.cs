@@ -12,8 +12,6 @@ public sealed class DynamicAabbTree : IBroadPhase
     private const int MovesInPart = 512;
 
     private readonly BoundsTable _table = new();
-    private readonly FatLeaves _leaves;
-    private readonly KeptPairs _pairs;
     private readonly Selection<ObjectPair> _near = new();
 
     /// <summary>By move of many: whether the object leaves its leaf.</summary>
@@ -22,51 +20,49 @@ public sealed class DynamicAabbTree : IBroadPhase
     /// <summary>Makes an empty broad phase.</summary>
     public DynamicAabbTree()
     {
-        _leaves = new FatLeaves(_table);
-        _pairs = new KeptPairs(_table, _leaves);
+        Leaves = new FatLeaves(_table);
+        Pairs = new KeptPairs(_table, Leaves);
     }
 
     /// <inheritdoc/>
     public int Count => _table.Count;
 
     /// <summary>The parts, for the tests of cost.</summary>
-    internal FatLeaves Leaves => _leaves;
+    internal FatLeaves Leaves { get; }
 
     /// <inheritdoc cref="Leaves"/>
-    internal KeptPairs Pairs => _pairs;
+    internal KeptPairs Pairs { get; }
 
     /// <inheritdoc/>
     public void Add(int id, in Aabb bounds)
     {
-        _table.CheckNew(id);
         _table.Reserve(id);
-        _leaves.Reserve(_table.Boxes.Length);
-        _pairs.Reserve(_table.Boxes.Length);
+        Leaves.Reserve(_table.Boxes.Length);
+        Pairs.Reserve(_table.Boxes.Length);
         _table.Add(id, bounds);
-        _leaves.Add(id);
-        _pairs.Moved.Add(id);
+        Leaves.Add(id);
+        Pairs.Moved.Add(id);
     }
 
     /// <inheritdoc/>
     public void Move(int id, in Aabb bounds)
     {
         _table.Check(id);
-        if (_leaves.Leaves(id, bounds)) _leaves.Unplaced.Add(id);
+        if (Leaves.Leaves(id, bounds)) Leaves.Unplaced.Add(id);
         _table.Boxes[id] = bounds;
-        _pairs.Moved.Add(id);
+        Pairs.Moved.Add(id);
     }
 
     /// <summary>Moves many objects on several threads; those with negative numbers are left out.</summary>
     internal void MoveAll(int[] ids, Aabb[] bounds, int count, Workers? workers)
     {
         if (_areLeaving.Length < count) _areLeaving = new bool[ids.Length];
-        Workers.Run(
-            workers, new MoveJob(this, ids, bounds), count, MovesInPart, CancellationToken.None);
+        Workers.Run(workers, new MoveJob(this, ids, bounds), count, MovesInPart);
         for (int i = 0; i < count; i++)
         {
             if (ids[i] < 0) continue;
-            _pairs.Moved.Add(ids[i]);
-            if (_areLeaving[i]) _leaves.Unplaced.Add(ids[i]);
+            Pairs.Moved.Add(ids[i]);
+            if (_areLeaving[i]) Leaves.Unplaced.Add(ids[i]);
         }
     }
 
@@ -74,16 +70,16 @@ public sealed class DynamicAabbTree : IBroadPhase
     public void Remove(int id)
     {
         _table.Remove(id);
-        _leaves.Remove(id);
-        _pairs.Remove();
+        Leaves.Remove(id);
+        Pairs.Remove();
     }
 
     /// <inheritdoc/>
     public void Clear()
     {
         _table.Clear();
-        _leaves.Clear();
-        _pairs.Clear();
+        Leaves.Clear();
+        Pairs.Clear();
     }
 
     /// <inheritdoc/>
@@ -102,15 +98,15 @@ public sealed class DynamicAabbTree : IBroadPhase
     {
         BoundsTable.CheckQuery(margin, pairs);
         Workers.Check(workers);
-        PairKeys found = _pairs.Find(margin, workers);
+        PairKeys found = Pairs.Find(margin, workers);
 
         // Where most have moved, marks cost more than they spare.
-        bool isMarking = _pairs.Moved.Count <= _table.Count / 2;
-        bool areMarked = isMarking && _pairs.KeepMarks(found, margin);
+        bool isMarking = Pairs.Moved.Count <= _table.Count / 2;
+        bool areMarked = isMarking && Pairs.KeepMarks(found, margin);
         var near = new NearPairs(
-            _table.Boxes, found.Keys, margin, isMarking, areMarked ? _pairs.Moved.Contains : null);
+            _table.Boxes, found.Keys, margin, isMarking, areMarked ? Pairs.Moved.Contains : null);
         _near.Collect(near, found.Count, pairs, workers);
-        _pairs.RememberAnswer(found, isMarking ? margin : float.NaN, pairs.Count);
+        Pairs.RememberAnswer(found, isMarking ? margin : float.NaN, pairs.Count);
     }
 
     /// <inheritdoc/>
@@ -118,7 +114,7 @@ public sealed class DynamicAabbTree : IBroadPhase
     {
         Guard.NotNull(ids, nameof(ids)).Clear();
         UpdateLeaves();
-        _leaves.Tree.Query(box.Min, box.Max, ids);
+        Leaves.Tree.Query(box.Min, box.Max, ids);
         int kept = 0;
         for (int i = 0; i < ids.Count; i++)
             if (_table.Boxes[ids[i]].Overlaps(box)) ids[kept++] = ids[i];
@@ -131,12 +127,12 @@ public sealed class DynamicAabbTree : IBroadPhase
         where TVisitor : struct, ISweepVisitor
     {
         UpdateLeaves();
-        _leaves.Tree.Sweep(path, _table.Boxes, ref visitor);
+        Leaves.Tree.Sweep(path, _table.Boxes, ref visitor);
     }
 
     /// <summary>Makes the tree ready. Until the next change, sweeps change nothing, so several threads may make
     /// them.</summary>
-    internal void UpdateLeaves() => _pairs.UpdateLeaves();
+    internal void UpdateLeaves() => Pairs.UpdateLeaves();
 
     private readonly struct MoveJob(DynamicAabbTree tree, int[] ids, Aabb[] bounds) : IShareJob
     {
@@ -145,7 +141,7 @@ public sealed class DynamicAabbTree : IBroadPhase
             for (int i = begin; i < end; i++)
             {
                 if (ids[i] < 0) continue;
-                tree._areLeaving[i] = tree._leaves.Leaves(ids[i], bounds[i]);
+                tree._areLeaving[i] = tree.Leaves.Leaves(ids[i], bounds[i]);
                 tree._table.Boxes[ids[i]] = bounds[i];
             }
         }

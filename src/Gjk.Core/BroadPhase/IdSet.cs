@@ -16,11 +16,8 @@ internal sealed class IdSet
     public void Reserve(int capacity)
     {
         if (Contains.Length >= capacity) return;
-        int[] ids = new int[capacity];
-        bool[] has = new bool[capacity];
-        Array.Copy(Ids, ids, Count);
-        Array.Copy(Contains, has, Contains.Length);
-        (Ids, Contains) = (ids, has);
+        Array.Resize(ref Ids, capacity);
+        Array.Resize(ref Contains, capacity);
     }
 
     public void Add(int id)

@@ -22,9 +22,8 @@ internal sealed class LeafMoves
     public void Reserve(int capacity)
     {
         if (_ordered.Length >= capacity) return;
-        byte[] subtrees = new byte[capacity];
-        int[] ordered = new int[capacity];
-        (_subtrees, _ordered) = (subtrees, ordered);
+        _subtrees = new byte[capacity];
+        _ordered = new int[capacity];
     }
 
     /// <summary>Moves all that stay within their subtrees.</summary>
@@ -37,11 +36,11 @@ internal sealed class LeafMoves
         IdSet moved = leaves.Unplaced;
         count = moved.Count;
         if (count < LeastToShare || !leaves.Tree.TryCut()) return moved.Ids;
-        Workers.Run(workers, new SearchJob(leaves, _subtrees), count, ShareLength, CancellationToken.None);
+        Workers.Run(workers, new SearchJob(leaves, _subtrees), count, ShareLength);
         leaves.Tree.BeginMoves();
         Order(moved);
         var job = new MoveJob(leaves, _ordered, _starts);
-        Workers.Run(workers, job, AabbTree.MostSubtrees, 1, CancellationToken.None);
+        Workers.Run(workers, job, AabbTree.MostSubtrees, 1);
         leaves.Tree.EndMoves();
         count = _starts[1];
         return _ordered;

@@ -23,8 +23,7 @@ internal sealed class PairSearch(FatLeaves leaves)
         foreach (PairKeys list in _idle) list.Count = 0;
         found.Count = 0;
         _visits = 0;
-        Workers.Run(
-            workers, new Job(this, leaves, objects, margin, most), objects.Count, ShareLength, CancellationToken.None);
+        Workers.Run(workers, new Job(this, leaves, objects, margin, most), objects.Count, ShareLength);
         leaves.Tree.Count(_visits);
         foreach (PairKeys list in _idle) found.Append(list);
         return found.Count <= most;

@@ -35,7 +35,9 @@ public readonly struct SweptBox
     /// <exception cref="ArgumentOutOfRangeException">The motion is not finite, or the fraction is negative or
     /// NaN.</exception>
     public SweptBox(in Aabb box, Vector3 translation, float maxFraction = 1)
-        : this(box.Min, box.Max, Guard.Finite(translation, nameof(translation)), Checked(maxFraction))
+        : this(
+            box.Min, box.Max, Guard.Finite(translation, nameof(translation)),
+            Guard.NonNegativeOrInfinite(maxFraction, nameof(maxFraction)))
     {
     }
 
@@ -48,7 +50,7 @@ public readonly struct SweptBox
     public SweptBox(Vector3 origin, Vector3 direction, float maxFraction = float.PositiveInfinity)
         : this(
             Guard.Finite(origin, nameof(origin)), origin, Guard.Finite(direction, nameof(direction)),
-            Checked(maxFraction))
+            Guard.NonNegativeOrInfinite(maxFraction, nameof(maxFraction)))
     {
     }
 
@@ -130,10 +132,6 @@ public readonly struct SweptBox
         return entry <= Sse2.MinScalar(exits, Sse2.UnpackHigh(exits, exits)).ToScalar();
     }
 #endif
-
-    private static double Checked(float maxFraction) => maxFraction >= 0
-        ? maxFraction
-        : throw new ArgumentOutOfRangeException(nameof(maxFraction), maxFraction, "Must not be negative or NaN.");
 
     private static double Inverse(float x) => x == 0 ? NoMotion : 1.0 / x;
 }

@@ -2,28 +2,20 @@ namespace Gjk.Core;
 
 /// <summary>The places of which some become contact points, in order around what is shared, each with a surface of both
 /// shapes.</summary>
-internal unsafe ref struct ContactCandidates
+/// <param name="memory">Room for <see cref="Capacity"/> candidates.</param>
+internal unsafe ref struct ContactCandidates(Candidate* memory)
 {
     /// <summary>Count: one for each place, and the deepest point.</summary>
     public const int Capacity = ContactPlaces.Capacity + 1;
 
-    private readonly Candidate* _candidates;
-
-    /// <param name="memory">Room for <see cref="Capacity"/> candidates.</param>
-    public ContactCandidates(Candidate* memory)
-    {
-        _candidates = memory;
-        Count = 0;
-    }
+    /// <summary>The first candidate; the others follow.</summary>
+    public readonly Candidate* Pointer = memory;
 
     /// <summary>How many there are.</summary>
-    public int Count { get; private set; }
-
-    /// <summary>The first candidate; the others follow.</summary>
-    public readonly Candidate* Pointer => _candidates;
+    public int Count { get; private set; } = 0;
 
     /// <summary>A candidate.</summary>
-    public readonly ref Candidate this[int index] => ref _candidates[index];
+    public readonly ref Candidate this[int index] => ref Pointer[index];
 
     /// <summary>The first of those with the least gap.</summary>
     public readonly Candidate Deepest
@@ -32,18 +24,18 @@ internal unsafe ref struct ContactCandidates
         {
             int least = 0;
             for (int i = 1; i < Count; i++)
-                if (_candidates[i].Gap < _candidates[least].Gap) least = i;
-            return _candidates[least];
+                if (Pointer[i].Gap < Pointer[least].Gap) least = i;
+            return Pointer[least];
         }
     }
 
     /// <summary>Adds one; there is room.</summary>
-    public void Add(in Candidate candidate) => _candidates[Count++] = candidate;
+    public void Add(in Candidate candidate) => Pointer[Count++] = candidate;
 
     /// <summary>Leaves some, whose numbers rise.</summary>
     public void Keep(int* kept, int count)
     {
-        for (int i = 0; i < count; i++) _candidates[i] = _candidates[kept[i]];
+        for (int i = 0; i < count; i++) Pointer[i] = Pointer[kept[i]];
         Count = count;
     }
 
@@ -51,24 +43,30 @@ internal unsafe ref struct ContactCandidates
     /// a face is flat may have left it.</summary>
     public void KeepOutline()
     {
-        for (int i = 1; i < Count; i++)
-        {
-            Candidate moved = _candidates[i];
-            int k = i;
-            for (; k > 0 && IsLeftOf(moved, _candidates[k - 1]); k--) _candidates[k] = _candidates[k - 1];
-            _candidates[k] = moved;
-        }
-
+        Sort(byPlace: true);
         Candidate* outline = stackalloc Candidate[Capacity + 1];
         int count = 0;
-        for (int i = 0; i < Count; i++) Append(outline, ref count, 0, _candidates[i]);
+        for (int i = 0; i < Count; i++) Append(outline, ref count, 0, Pointer[i]);
         int half = count - 1;
-        for (int i = Count - 2; i >= 0; i--) Append(outline, ref count, half, _candidates[i]);
+        for (int i = Count - 2; i >= 0; i--) Append(outline, ref count, half, Pointer[i]);
         Count = count - 1;
-        for (int i = 0; i < Count; i++) _candidates[i] = outline[i];
+        for (int i = 0; i < Count; i++) Pointer[i] = outline[i];
     }
 
-    private static bool IsLeftOf(in Candidate p, in Candidate q) => p.U != q.U ? p.U < q.U : p.V < q.V;
+    /// <summary>Sorts by the ids, or along U, then V.</summary>
+    public readonly void Sort(bool byPlace)
+    {
+        for (int i = 1; i < Count; i++)
+        {
+            Candidate moved = Pointer[i];
+            int k = i;
+            for (; k > 0 && IsBefore(moved, Pointer[k - 1], byPlace); k--) Pointer[k] = Pointer[k - 1];
+            Pointer[k] = moved;
+        }
+    }
+
+    private static bool IsBefore(in Candidate p, in Candidate q, bool byPlace) =>
+        !byPlace ? ContactFeature.IsBefore(p.Id, q.Id) : p.U != q.U ? p.U < q.U : p.V < q.V;
 
     /// <summary>Adds the next corner of half an outline, and takes away those before it that it makes hollow.</summary>
     private static void Append(Candidate* outline, ref int count, int begin, in Candidate next)
@@ -80,8 +78,8 @@ internal unsafe ref struct ContactCandidates
     /// <summary>Makes room between two and puts one there.</summary>
     public void Insert(int index, in Candidate candidate)
     {
-        for (int i = Count++; i > index; i--) _candidates[i] = _candidates[i - 1];
-        _candidates[index] = candidate;
+        for (int i = Count++; i > index; i--) Pointer[i] = Pointer[i - 1];
+        Pointer[index] = candidate;
     }
 }
 

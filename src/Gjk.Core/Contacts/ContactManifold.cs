@@ -44,11 +44,7 @@ public struct ContactManifold
     }
 
     /// <summary>Removes all points.</summary>
-    public void Clear()
-    {
-        Count = 0;
-        Normal = Vector3.Zero;
-    }
+    public void Clear() => Begin(Vector3.Zero);
 
     /// <summary>The points, for people to read.</summary>
     public override readonly string ToString() =>
@@ -62,20 +58,10 @@ public struct ContactManifold
 
     internal void Add(in ManifoldPoint point)
     {
-        switch (Count++)
-        {
-            case 0:
-                _first = point;
-                break;
-            case 1:
-                _second = point;
-                break;
-            case 2:
-                _third = point;
-                break;
-            default:
-                _fourth = point;
-                break;
-        }
+        int index = Count++;
+        if (index == 0) _first = point;
+        else if (index == 1) _second = point;
+        else if (index == 2) _third = point;
+        else _fourth = point;
     }
 }

@@ -33,8 +33,7 @@ internal unsafe ref struct ContactPlaces
     public const double Parallel = 0.05;
 
     private readonly ContactPlace* _places;
-    private readonly double _slack, _least;
-    private double _reach;
+    private readonly double _least;
 
     /// <param name="memory">Room for <see cref="Capacity"/> places.</param>
     /// <param name="a">What A shows.</param>
@@ -44,20 +43,20 @@ internal unsafe ref struct ContactPlaces
     {
         _places = memory;
         _least = LeastPart * Math.Min(a.Width, b.Width);
-        _slack = Math.Min(Slack * size, _least);
+        SlackAround = Math.Min(Slack * size, _least);
         Count = 0;
-        a.JoinCorners(2 * _slack);
-        b.JoinCorners(2 * _slack);
+        a.JoinCorners(2 * SlackAround);
+        b.JoinCorners(2 * SlackAround);
     }
 
     /// <summary>How many there are.</summary>
     public int Count { get; private set; }
 
     /// <summary>Length: places closer than this are one.</summary>
-    public readonly double ReachAround => _reach;
+    public double ReachAround { get; private set; }
 
     /// <summary>Length: what lies beside a feature by less is on it.</summary>
-    public readonly double SlackAround => _slack;
+    public readonly double SlackAround;
 
     /// <summary>A place; they run around what is shared.</summary>
     public readonly ref ContactPlace this[int index] => ref _places[index];
@@ -77,17 +76,17 @@ internal unsafe ref struct ContactPlaces
         do
         {
             count = isACut
-                ? FeatureOverlap.Find(ref a, ref b, true, _slack, _places)
-                : FeatureOverlap.Find(ref b, ref a, false, _slack, _places);
+                ? FeatureOverlap.Find(ref a, ref b, true, SlackAround, _places)
+                : FeatureOverlap.Find(ref b, ref a, false, SlackAround, _places);
         }
         while (IsLittleOf(width = Measure(count, areFaces), ref a, ref b));
         int first = -1, last = -1;
         if (!areFaces) FindLeft(count, isACut, ref a, ref b, out first, out last);
         double beside = Math.Max(LengthBeside(first, isACut, a, b), LengthBeside(last, isACut, a, b));
-        _reach = Math.Max(_reach, Reach * beside);
+        ReachAround = Math.Max(ReachAround, Reach * beside);
         if ((a.IsOnSide || b.IsOnSide) && Math.Max(width, beside) <= _least) return;
         for (int i = 0; i < count; i++)
-            if (SharpTips.TryKeep(ref _places[i], ref a, ref b, _slack)) Name(ref _places[i], ref a, ref b);
+            if (SharpTips.TryKeep(ref _places[i], ref a, ref b, SlackAround)) Name(ref _places[i], ref a, ref b);
         AddBeside(first, isACut, ref a, ref b);
         if (last != first) AddBeside(last, isACut, ref a, ref b);
         for (int i = 0; i < Count; i++) _places[i].TakeMiddle();
@@ -134,7 +133,7 @@ internal unsafe ref struct ContactPlaces
         }
 
         double length = 2 * Math.Sqrt(squared), width = isArea ? Math.Abs(area) / length : length;
-        _reach = Math.Max(width > 0 ? Reach * width : 0, 2 * _slack);
+        ReachAround = Math.Max(width > 0 ? Reach * width : 0, 2 * SlackAround);
         return width;
     }
 
@@ -194,7 +193,7 @@ internal unsafe ref struct ContactPlaces
     }
 
     private readonly SharedLength Beside(int edge, bool isLineOfA, in FlatFeature a, in FlatFeature b) =>
-        new(a, isLineOfA ? 0 : edge, b, isLineOfA ? edge : 0, _slack);
+        new(a, isLineOfA ? 0 : edge, b, isLineOfA ? edge : 0, SlackAround);
 
     private readonly double LengthBeside(int edge, bool isLineOfA, in FlatFeature a, in FlatFeature b) =>
         edge < 0 ? 0 : Beside(edge, isLineOfA, a, b).Length;
@@ -217,14 +216,14 @@ internal unsafe ref struct ContactPlaces
     private readonly int NearEnd(ref FlatFeature feature, int edge, double u, double v)
     {
         int end = feature.NearerEnd(edge, u, v);
-        return feature[end].SquaredTo(u, v) <= _reach * _reach ? end : -1;
+        return feature[end].SquaredTo(u, v) <= ReachAround * ReachAround ? end : -1;
     }
 
     /// <summary>The corner nearest a place, within reach; -1 where none is.</summary>
     private readonly int Nearest(ref FlatFeature feature, double u, double v)
     {
         int nearest = -1;
-        double least = _reach * _reach;
+        double least = ReachAround * ReachAround;
         for (int i = 0; i < feature.Count; i++)
         {
             ref FlatCorner corner = ref feature[i];
@@ -260,7 +259,7 @@ internal unsafe ref struct ContactPlaces
             if (!q.IsFlat) continue;
             double u = r.U - p.U, v = r.V - p.V, area = (q.U - p.U) * v - (q.V - p.V) * u;
             double along = (q.U - p.U) * u + (q.V - p.V) * v, squared = u * u + v * v;
-            if (!(area * area <= _reach * _reach * squared && along >= 0 && along <= squared)) continue;
+            if (!(area * area <= ReachAround * ReachAround * squared && along >= 0 && along <= squared)) continue;
             for (int k = i; k + 1 < Count; k++) _places[k] = _places[k + 1];
             Count--;
         }
@@ -269,18 +268,18 @@ internal unsafe ref struct ContactPlaces
     /// <summary>Two edges that are as good as parallel share a length: its two ends, between both.</summary>
     private void FindAlong(ref FlatFeature a, ref FlatFeature b)
     {
-        var shared = new SharedLength(a, 0, b, 0, _slack);
-        _reach = Math.Max(Reach * shared.Length, 2 * _slack);
+        var shared = new SharedLength(a, 0, b, 0, SlackAround);
+        ReachAround = Math.Max(Reach * shared.Length, 2 * SlackAround);
         if (!shared.IsThere || ((a.IsOnSide || b.IsOnSide) && shared.Length <= _least)) return;
         AddEnd(shared, shared.Begin, ref a, ref b);
-        if (shared.Length > 2 * _reach) AddEnd(shared, shared.End, ref a, ref b);
+        if (shared.Length > 2 * ReachAround) AddEnd(shared, shared.End, ref a, ref b);
     }
 
     private void AddEnd(in SharedLength shared, double along, ref FlatFeature a, ref FlatFeature b)
     {
         if (!shared.TryPlace(along, out ContactPlace place)) return;
         place.Id = ContactFeature.Of(
-            CornerOf(ref a, shared.EndOfA(along, _reach)), CornerOf(ref b, shared.EndOfB(along, _reach)));
+            CornerOf(ref a, shared.EndOfA(along, ReachAround)), CornerOf(ref b, shared.EndOfB(along, ReachAround)));
         Add(place);
     }
 }

@@ -44,14 +44,8 @@ internal struct ContactPlane
         (Normal, OnA, CoreDistance, Size) = (normal, default, coreDistance, size);
 
     /// <summary>From A to B of the query, in the world.</summary>
-    public readonly Double3 NormalOfQuery
-    {
-        get
-        {
-            Double3 normal = Frame.RotationA.Rotate(Normal);
-            return IsExchanged ? -normal : normal;
-        }
-    }
+    public readonly Double3 NormalOfQuery =>
+        IsExchanged ? -Frame.RotationA.Rotate(Normal) : Frame.RotationA.Rotate(Normal);
 
     /// <summary>Whether no deepest point is known along the normal.</summary>
     public readonly bool IsOpen => double.IsNegativeInfinity(CoreDistance);

@@ -33,7 +33,7 @@ internal static unsafe class ContactReduction
 
         candidates.Keep(four, count);
         if (quarters != null && count == ContactManifold.Capacity) Rename(ref candidates, quarters);
-        Sort(ref candidates);
+        candidates.Sort(byPlace: false);
     }
 
     private static bool HasDeepest(in ContactCandidates candidates, int* chosen, int count, double mostGap)
@@ -86,17 +86,5 @@ internal static unsafe class ContactReduction
         QuarterNames.Match(others, candidates.Pointer, out int turn, out int step);
         for (int i = 0; i < candidates.Count; i++)
             candidates[i] = candidates[i].Named(others[QuarterNames.At(i, turn, step)].Id);
-    }
-
-    private static void Sort(ref ContactCandidates candidates)
-    {
-        for (int i = 1; i < candidates.Count; i++)
-        {
-            Candidate moved = candidates[i];
-            int k = i;
-            for (; k > 0 && ContactFeature.IsBefore(moved.Id, candidates[k - 1].Id); k--)
-                candidates[k] = candidates[k - 1];
-            candidates[k] = moved;
-        }
     }
 }

@@ -3,7 +3,7 @@ namespace Gjk.Core.Diagnostics;
 /// <summary>What is known of the things that an answer says.</summary>
 internal struct AnswerClaims
 {
-    private bool _isOpen, _isRefuted, _areAny;
+    private bool _isOpen, _isRefuted;
 
     /// <summary>Whether a depth among them is only proved not to be larger.</summary>
     public bool IsAtMost;
@@ -17,14 +17,14 @@ internal struct AnswerClaims
         : IsAtMost ? CheckStatus.ProvedAtMost : CheckStatus.Proved;
 
     /// <summary>Whether anything is known.</summary>
-    public readonly bool AreAny => _areAny;
+    public bool AreAny { get; private set; }
 
     /// <summary>Something that was proved, refuted, or neither.</summary>
     public void Add(bool isProved, bool isRefuted)
     {
         _isOpen |= !isProved;
         _isRefuted |= isRefuted;
-        _areAny |= isProved || isRefuted;
+        AreAny |= isProved || isRefuted;
     }
 
     /// <summary>Something that is certain either way.</summary>

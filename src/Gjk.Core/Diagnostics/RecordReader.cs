@@ -3,13 +3,10 @@ using System.Globalization;
 namespace Gjk.Core.Diagnostics;
 
 /// <summary>The words of a record, one after the other; every complaint names the word and its place.</summary>
-internal sealed class RecordReader
+internal sealed class RecordReader(string text)
 {
-    private readonly string[] _words;
+    private readonly string[] _words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
     private int _next;
-
-    public RecordReader(string text) =>
-        _words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
 
     public string? Peek => _next < _words.Length ? _words[_next] : null;
 

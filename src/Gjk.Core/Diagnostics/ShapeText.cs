@@ -97,71 +97,44 @@ internal static class ShapeText
 
     private static void WriteCore(StringBuilder text, in ShapeParts p)
     {
+        if (p.Kind == ShapeKind.Custom)
+            throw new NotSupportedException("A shape of your own cannot be written as text.");
         text.Append(' ').Append(Name(p.Kind));
-        switch (p.Kind)
-        {
-            case ShapeKind.Point or ShapeKind.Sphere:
-                Add(text, p.InnerMargin);
-                break;
-            case ShapeKind.Segment or ShapeKind.Capsule:
-                Add(text, p.A);
-                Add(text, p.B);
-                Add(text, p.InnerMargin);
-                break;
-            case ShapeKind.Triangle or ShapeKind.HalfSpace:
-                Add(text, p.A);
-                Add(text, p.B);
-                Add(text, p.C);
-                break;
-            case ShapeKind.Mesh:
-                WriteCorners(text, p.Hull!);
-                break;
-            case ShapeKind.Custom:
-                throw new NotSupportedException("A shape of your own cannot be written as text.");
-            default:
-                Add(text, p.A);
-                break;
-        }
+        if (p.Kind == ShapeKind.Mesh) WriteCorners(text, p.Hull!);
+        (int vectors, bool hasMargin) = NumbersOf(p.Kind);
+        if (vectors > 0) Add(text, p.A);
+        if (vectors > 1) Add(text, p.B);
+        if (vectors > 2) Add(text, p.C);
+        if (hasMargin) Add(text, p.InnerMargin);
     }
 
     private static ShapeParts ReadCore(RecordReader words)
     {
         var p = new ShapeParts { Kind = ReadKind(words) };
-        switch (p.Kind)
-        {
-            case ShapeKind.Point or ShapeKind.Sphere:
-                p.InnerMargin = words.Number();
-                break;
-            case ShapeKind.Segment or ShapeKind.Capsule:
-                p.A = words.Vector();
-                p.B = words.Vector();
-                p.InnerMargin = words.Number();
-                break;
-            case ShapeKind.Triangle:
-                p.A = words.Vector();
-                p.B = words.Vector();
-                p.C = words.Vector();
-                break;
-            case ShapeKind.HalfSpace:
-                p.A = words.Vector();
-                p.B = words.Vector();
-                p.C = words.Vector();
-                if (p.A == default) throw words.Wrong("ends a half-space without a normal");
-                break;
-            case ShapeKind.Mesh:
-                p.Hull = ReadCorners(words);
-                break;
-            default:
-                p.A = words.Vector();
-                if (p.A.X < 0 || p.A.Y < 0 || p.A.Z < 0) throw words.Wrong("ends a shape with a negative size");
-                break;
-        }
-
+        if (p.Kind == ShapeKind.Mesh) p.Hull = ReadCorners(words);
+        (int vectors, bool hasMargin) = NumbersOf(p.Kind);
+        if (vectors > 0) p.A = words.Vector();
+        if (vectors == 1 && (p.A.X < 0 || p.A.Y < 0 || p.A.Z < 0))
+            throw words.Wrong("ends a shape with a negative size");
+        if (vectors > 1) p.B = words.Vector();
+        if (vectors > 2) p.C = words.Vector();
+        if (p.Kind == ShapeKind.HalfSpace && p.A == default) throw words.Wrong("ends a half-space without a normal");
+        if (hasMargin) p.InnerMargin = words.Number();
         if (p.InnerMargin < 0) throw words.Wrong("should not be negative");
         if (p.InnerMargin > 0 && p.Kind == ShapeKind.Point) p.Kind = ShapeKind.Sphere;
         if (p.InnerMargin > 0 && p.Kind == ShapeKind.Segment) p.Kind = ShapeKind.Capsule;
         return p;
     }
+
+    /// <summary>How many vectors a shape of a kind has, and whether a radius follows them.</summary>
+    private static (int Vectors, bool HasMargin) NumbersOf(ShapeKind kind) => kind switch
+    {
+        ShapeKind.Point or ShapeKind.Sphere => (0, true),
+        ShapeKind.Segment or ShapeKind.Capsule => (2, true),
+        ShapeKind.Triangle or ShapeKind.HalfSpace => (3, false),
+        ShapeKind.Mesh => (0, false),
+        _ => (1, false),
+    };
 
     /// <summary>A sphere is written as a point with a radius, a capsule as a segment with one.</summary>
     private static string Name(ShapeKind kind) => kind switch

@@ -44,11 +44,9 @@ internal struct WitnessWalk
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        WitnessWalk walk;
-        walk.Lower = double.NegativeInfinity;
-        walk.Upper = double.PositiveInfinity;
+        WitnessWalk walk = default;
+        (walk.Lower, walk.Upper) = (double.NegativeInfinity, double.PositiveInfinity);
         walk.HintGap = double.NaN;
-        walk.Across = default;
         if (!pair.IsValid) return walk;
         WitnessMean mean = default;
         bool isHint = hint.LengthSquared > 0, isAcross = true;

@@ -18,6 +18,9 @@ internal static class Guard
     public static float NonNegative(float x, string name) =>
         IsFinite(x) && x >= 0 ? x : throw new ArgumentOutOfRangeException(name, x, "Must be finite and not negative.");
 
+    public static float NonNegativeOrInfinite(float x, string name) =>
+        x >= 0 ? x : throw new ArgumentOutOfRangeException(name, x, "Must not be negative or NaN.");
+
     public static float NotNaN(float x, string name) =>
         !float.IsNaN(x) ? x : throw new ArgumentOutOfRangeException(name, x, "Must not be NaN.");
 

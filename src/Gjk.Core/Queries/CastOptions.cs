@@ -30,16 +30,12 @@ public readonly struct CastOptions : IEquatable<CastOptions>
     /// and coordinates, is too little to see and enough for seams. A millionth of the way after the contact is allowed
     /// on top of it where a face is met: what rounding does to a motion along a surface.</param>
     /// <exception cref="ArgumentOutOfRangeException">The depth is negative, NaN or infinite.</exception>
-    public static CastOptions OnlyDeeper(float allowedDepth = 0)
-    {
-        if (!(allowedDepth >= 0) || float.IsInfinity(allowedDepth))
-        {
-            throw new ArgumentOutOfRangeException(
-                nameof(allowedDepth), allowedDepth, "Must be finite and not negative.");
-        }
+    public static CastOptions OnlyDeeper(float allowedDepth = 0) =>
+        new(Guard.NonNegative(allowedDepth, nameof(allowedDepth)));
 
-        return new CastOptions(allowedDepth);
-    }
+    /// <summary>Whether a cast that ends so has no contact to measure, nor one to pass.</summary>
+    internal bool Settles(CastStatus status) =>
+        status != CastStatus.OverlappingAtStart && !(PassesShallow && status == CastStatus.Hit);
 
     /// <summary>Whether both pass the same contacts.</summary>
     public static bool operator ==(CastOptions a, CastOptions b) => a.Equals(b);

@@ -58,9 +58,7 @@ public static unsafe partial class ConvexQuery
         {
             var solver = new CastQuestion(translationA, translationB, maxFraction, warm);
             PairQuery.Run(a, poseA, b, poseB, ref solver, out CastResult found);
-            bool isSettled = found.Status != CastStatus.OverlappingAtStart
-                && !(options.PassesShallow && found.Status == CastStatus.Hit);
-            if (isSettled) return found;
+            if (options.Settles(found.Status)) return found;
             var contact = new SettledContact(found);
             Settle(
                 ref PairQuery.AsRef(a), poseA, ref PairQuery.AsRef(b), poseB, (Double3)translationB - translationA,

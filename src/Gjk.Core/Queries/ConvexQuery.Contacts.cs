@@ -31,8 +31,7 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         ContactPlane* plane = stackalloc ContactPlane[1];
-        UnsafeRef.SkipInit(out manifold);
-        SolveContacts(a, poseA, b, poseB, maxGap, null, plane, ref manifold, out DistanceResult result);
+        SolveContacts(a, poseA, b, poseB, maxGap, null, plane, out manifold, out DistanceResult result);
         return result;
     }
 
@@ -56,10 +55,9 @@ public static unsafe partial class ConvexQuery
         where TB : struct, ISupportMap
     {
         ContactPlane* plane = stackalloc ContactPlane[1];
-        UnsafeRef.SkipInit(out manifold);
         fixed (WarmStart* warm = &warmStart)
         {
-            SolveContacts(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out DistanceResult result);
+            SolveContacts(a, poseA, b, poseB, maxGap, warm, plane, out manifold, out DistanceResult result);
             return result;
         }
     }
@@ -69,10 +67,9 @@ public static unsafe partial class ConvexQuery
         in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float maxGap,
         ref ContactPlane plane, out ContactManifold manifold)
     {
-        UnsafeRef.SkipInit(out manifold);
         fixed (ContactPlane* found = &plane)
         {
-            SolveContacts(a, poseA, b, poseB, maxGap, null, found, ref manifold, out DistanceResult result);
+            SolveContacts(a, poseA, b, poseB, maxGap, null, found, out manifold, out DistanceResult result);
             return result;
         }
     }
@@ -111,7 +108,7 @@ public static unsafe partial class ConvexQuery
     /// <summary>Asks in the order that <see cref="PairOrder"/> has.</summary>
     private static void SolveContacts<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
-        ContactPlane* plane, ref ContactManifold manifold, out DistanceResult result)
+        ContactPlane* plane, out ContactManifold manifold, out DistanceResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
@@ -119,12 +116,12 @@ public static unsafe partial class ConvexQuery
             PairOrder.IsExchanged(ref PairQuery.AsRef(a), poseA, ref PairQuery.AsRef(b), poseB);
         if (!plane->IsExchanged)
         {
-            SolveInOrder(a, poseA, b, poseB, maxGap, warm, plane, ref manifold, out result);
+            SolveInOrder(a, poseA, b, poseB, maxGap, warm, plane, out manifold, out result);
             return;
         }
 
         if (warm != null) warm->Exchange();
-        SolveInOrder(b, poseB, a, poseA, maxGap, warm, plane, ref manifold, out result);
+        SolveInOrder(b, poseB, a, poseA, maxGap, warm, plane, out manifold, out result);
         if (warm != null) warm->Exchange();
         DistanceResult.Exchange(ref result);
     }
@@ -132,13 +129,14 @@ public static unsafe partial class ConvexQuery
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void SolveInOrder<TA, TB>(
         in TA a, in RigidPose poseA, in TB b, in RigidPose poseB, float maxGap, WarmStart* warm,
-        ContactPlane* plane, ref ContactManifold manifold, out DistanceResult result)
+        ContactPlane* plane, out ContactManifold manifold, out DistanceResult result)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
         float mostGap = maxGap < 0 ? 0 : maxGap;
         var solver = new SignedDistanceSolver<NoPolytopeTrace> { Warm = warm, Plane = plane, PlaneGap = mostGap };
         PairQuery.Run(a, poseA, b, poseB, ref solver, out result);
+        UnsafeRef.SkipInit(out manifold);
         manifold.Clear();
         if (!(result.Distance <= mostGap))
         {

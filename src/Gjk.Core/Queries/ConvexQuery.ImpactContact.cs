@@ -31,18 +31,16 @@ public static unsafe partial class ConvexQuery
 
         public readonly RigidPose PoseB => _motionB.Pose;
 
-        /// <summary>Whether the shapes are balls, or points, that overlap at the start.</summary>
-        public readonly bool TryBeginInBalls<TA, TB>(ref TA a, ref TB b, out CastResult found)
-            where TA : struct, ISupportMap
-            where TB : struct, ISupportMap
+        /// <summary>Answers balls, or points, that overlap at the start.</summary>
+        readonly bool IPairSolver<CastResult>.TryFormula<TA, TB>(
+            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out CastResult result)
         {
-            found = default;
-            if (!Balls.AreBalls(ref a, ref b) || !IsValid) return false;
+            result = default;
+            if (_follows || _isWindow || !Balls.AreBalls(ref a, ref b) || !IsValid) return false;
             Balls.Distance(
-                ref a, _motionA.Pose, ref b, _motionB.Pose, float.PositiveInfinity, isSigned: false,
-                out DistanceResult start);
+                ref a, poseA, ref b, poseB, float.PositiveInfinity, isSigned: false, out DistanceResult start);
             if (!start.IsOverlapping) return false;
-            found = new CastResult(CastStatus.OverlappingAtStart, 0, start.PointA, Vector3.Zero, 1);
+            result = new CastResult(CastStatus.OverlappingAtStart, 0, start.PointA, Vector3.Zero, 1);
             return true;
         }
 
@@ -55,9 +53,8 @@ public static unsafe partial class ConvexQuery
         }
 
         /// <summary>Follows a contact after the other until one counts.</summary>
-        private readonly CastResult Follow<TA, TB>(
-            ref TA a, ref TB b, ref PairFrame frame, ref PairMotion motion, FractionInterval interval,
-            double tolerance, bool isWhole)
+        private CastResult Follow<TA, TB>(
+            ref TA a, ref TB b, ref PairFrame frame, FractionInterval interval, double tolerance)
             where TA : struct, ISupportMap
             where TB : struct, ISupportMap
         {
@@ -68,28 +65,23 @@ public static unsafe partial class ConvexQuery
             while (true)
             {
                 ContactFollower<TA, TB>.Solve(
-                    ref a, ref b, ref frame, ref motion, interval, tolerance, allowed, ref impact);
+                    ref a, ref b, ref frame, ref _motion, interval, tolerance, allowed, ref impact);
                 if (impact.Outcome != MotionVerdict.Over) break;
                 Impact past = impact;
                 AdvancementSolver<TA, TB>.Solve(
-                    ref a, ref b, ref frame, ref motion, new FractionInterval(impact.Fraction, interval.End), tolerance,
-                    Impact.FloorRatio * tolerance, leaves: true, ref *_warm, out impact,
+                    ref a, ref b, ref frame, ref _motion, new FractionInterval(impact.Fraction, interval.End),
+                    tolerance, Impact.FloorRatio * tolerance, leaves: true, ref *_warm, out impact,
                     out SolverState state);
                 impact.Iterations += past.Iterations;
                 impact.Steps += past.Steps;
-                contact = Finish(impact, state, ref frame, motion, isWhole);
+                contact = Finish(impact, state, ref frame);
                 if (contact.Status != CastStatus.Hit || !_options.PassesShallow) return contact;
                 interval = new FractionInterval(contact.Fraction, interval.End);
                 impact.Outcome = MotionVerdict.Undecided;
                 if (impact.Steps >= Impact.MaxSteps) break;
             }
 
-            if (impact.Outcome == MotionVerdict.Hit)
-            {
-                return contact.With(contact.Status, contact.Point, contact.Normal, impact.Iterations, contact.Depth);
-            }
-
-            return Nothing(impact, isWhole);
+            return Ended(contact, impact);
         }
     }
 }

@@ -57,9 +57,7 @@ public static unsafe partial class ConvexQuery
                 if (!follows) break;
             }
 
-            return impact.Outcome == MotionVerdict.Hit
-                ? contact.With(contact.Status, contact.Point, contact.Normal, impact.Iterations, contact.Depth)
-                : Nothing(impact, _isWhole);
+            return Ended(contact, impact);
         }
     }
 }

@@ -32,7 +32,7 @@ public static partial class ConvexQuery
         ref T inward = ref PairQuery.AsRef(shape);
         var line = new WorldRay(origin, direction, ((Double3)direction).Length, Math.Max(maxDistance, 0));
         CastRay(ref inward, pose, line, out RayMeeting hit);
-        if (hit.Status == CastStatus.OverlappingAtStart || (options.PassesShallow && hit.Status == CastStatus.Hit))
+        if (!options.Settles(hit.Status))
             return SettleRay(ref inward, pose, line, options, sides, hit);
         if (hit.Status == CastStatus.Hit)
         {

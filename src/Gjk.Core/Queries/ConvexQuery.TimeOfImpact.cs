@@ -98,11 +98,10 @@ public static unsafe partial class ConvexQuery
         fixed (WarmStart* warm = &warmStart)
         {
             var question = new ImpactQuestion(motionA, motionB, tolerance, maxFraction, warm);
-            if (!question.TryBeginInBalls(ref shapeA, ref shapeB, out CastResult found))
-                found = question.Run(ref shapeA, ref shapeB);
-            bool isSettled = found.Status != CastStatus.OverlappingAtStart
-                && !(options.PassesShallow && found.Status == CastStatus.Hit);
-            return isSettled ? found : SettleImpact(ref shapeA, ref shapeB, found, options, ref question);
+            CastResult found = question.Run(ref shapeA, ref shapeB);
+            return options.Settles(found.Status)
+                ? found
+                : SettleImpact(ref shapeA, ref shapeB, found, options, ref question);
         }
     }
 
@@ -173,13 +172,6 @@ public static unsafe partial class ConvexQuery
             return result;
         }
 
-        readonly bool IPairSolver<CastResult>.TryFormula<TA, TB>(
-            ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out CastResult result)
-        {
-            result = default;
-            return false;
-        }
-
         bool IPairSolver<CastResult>.TryBegin<TA, TB>(
             ref TA a, ref TB b, in RigidPose poseA, ref PairFrame frame, out CastResult result)
         {
@@ -218,7 +210,7 @@ public static unsafe partial class ConvexQuery
             var interval = new FractionInterval(_begin, _end);
             if (_follows)
             {
-                _found = Follow(ref a, ref b, ref frame, ref _motion, interval, tolerance, _isWhole);
+                _found = Follow(ref a, ref b, ref frame, interval, tolerance);
                 return;
             }
 
@@ -226,7 +218,7 @@ public static unsafe partial class ConvexQuery
             AdvancementSolver<TA, TB>.Solve(
                 ref a, ref b, ref frame, ref _motion, interval, tolerance, floor, !_isWindow, ref *_warm,
                 out Impact impact, out state);
-            _found = Finish(impact, state, ref frame, _motion, _isWhole);
+            _found = Finish(impact, state, ref frame);
         }
 
         readonly void IPairSolver<CastResult>.Finish(
@@ -246,18 +238,23 @@ public static unsafe partial class ConvexQuery
             return Math.Max(Math.Min(asked, CoarsestTolerance * size), least);
         }
 
-        private readonly CastResult Nothing(in Impact impact, bool isWhole)
+        /// <summary>The contact that counts, or none.</summary>
+        private readonly CastResult Ended(in CastResult contact, in Impact impact) =>
+            impact.Outcome == MotionVerdict.Hit
+                ? contact.With(contact.Status, contact.Point, contact.Normal, impact.Iterations, contact.Depth)
+                : Nothing(impact);
+
+        private readonly CastResult Nothing(in Impact impact)
         {
-            bool isMiss = impact.Outcome == MotionVerdict.Miss && isWhole;
+            bool isMiss = impact.Outcome == MotionVerdict.Miss && _isWhole;
             CastStatus status = impact.Outcome == MotionVerdict.Contradiction ? CastStatus.InvalidShape
                 : isMiss ? CastStatus.Miss : CastStatus.IterationLimit;
             return CastResult.Nothing(status, FractionOf(status, impact.Fraction, _maxFraction), impact.Iterations);
         }
 
-        private readonly CastResult Finish(
-            in Impact impact, in SolverState state, ref PairFrame frame, in PairMotion motion, bool isWhole)
+        private readonly CastResult Finish(in Impact impact, in SolverState state, ref PairFrame frame)
         {
-            if (impact.Outcome != MotionVerdict.Hit) return Nothing(impact, isWhole);
+            if (impact.Outcome != MotionVerdict.Hit) return Nothing(impact);
             int iterations = impact.Iterations;
             float fraction = RoundOff.Down(impact.Fraction);
             if (impact.Fraction == 0 && impact.Normal == default)
@@ -274,7 +271,7 @@ public static unsafe partial class ConvexQuery
                 : impact.Normal;
             var outward = (Vector3)frame.RotationA.Rotate(normal);
             Double3 onA = state.Simplex.WitnessOnA(state.Weights);
-            motion.MoveTo(fraction, ref frame);
+            _motion.MoveTo(fraction, ref frame);
             Double3 position = (Double3)_motionA.Pose.Position + (Double3)_motionA.Velocity * fraction;
             return new CastResult(
                 CastStatus.Hit, impact.Fraction, (Vector3)frame.SurfaceOfA(onA, normal, position), outward, iterations)

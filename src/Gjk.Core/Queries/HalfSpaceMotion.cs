@@ -12,29 +12,20 @@ namespace Gjk.Core;
 /// <para>It terminates as the advancement does: each step leaves a floor, and what is left open is several
 /// floors.</para>
 /// </remarks>
-internal struct HalfSpaceMotion
+/// <param name="pair">The pair at the fraction 0.</param>
+/// <param name="motion">How it moves, the half-space as A.</param>
+/// <param name="end">The last fraction.</param>
+/// <param name="tolerance">The largest gap of a hit, in world units.</param>
+internal struct HalfSpaceMotion(in HalfSpacePair pair, in PairMotion motion, double end, double tolerance)
 {
     /// <summary>Counts: after so many steps it pays to measure how far the other reaches from its axis, and in how many
     /// directions. They change the cost alone, and keep a wheel that rolls from running out of steps.</summary>
     private const int MeasureAfter = 8, MeasuredDirections = 64;
 
-    private readonly double _end, _tolerance, _floor, _accepted;
-    private HalfSpacePair _pair;
-    private PairMotion _motion;
-
-    /// <param name="pair">The pair at the fraction 0.</param>
-    /// <param name="motion">How it moves, the half-space as A.</param>
-    /// <param name="end">The last fraction.</param>
-    /// <param name="tolerance">The largest gap of a hit, in world units.</param>
-    public HalfSpaceMotion(in HalfSpacePair pair, in PairMotion motion, double end, double tolerance)
-    {
-        _pair = pair;
-        _motion = motion;
-        _end = end;
-        _tolerance = tolerance;
-        _floor = Impact.FloorRatio * tolerance;
-        _accepted = Impact.MostAccepted * tolerance;
-    }
+    private readonly double _end = end, _tolerance = tolerance;
+    private readonly double _floor = Impact.FloorRatio * tolerance, _accepted = Impact.MostAccepted * tolerance;
+    private HalfSpacePair _pair = pair;
+    private PairMotion _motion = motion;
 
     /// <summary>Whether they overlap, or touch, at the fraction 0.</summary>
     private readonly bool IsOverlapping => _pair.Status == GjkStatus.Overlapping;

@@ -161,14 +161,7 @@ internal struct HalfSpacePair
     }
 
     /// <summary>The point of the plane under it, from the half-space's origin in its axes.</summary>
-    public readonly Double3 Foot
-    {
-        get
-        {
-            Double3 on = OnOther;
-            return on + Normal * (PlaneDistance - Double3.Dot(Normal, on));
-        }
-    }
+    public readonly Double3 Foot => OnOther + Normal * (PlaneDistance - Double3.Dot(Normal, OnOther));
 
     /// <summary>When the shapes meet; the gap changes at a constant rate.</summary>
     /// <param name="motion">Of the other, seen from the half-space, for the fraction 1; in the world.</param>

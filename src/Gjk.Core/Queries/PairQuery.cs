@@ -11,10 +11,10 @@ internal static class PairQuery
 {
     /// <summary>The distance, written where it is to be: for arrays of results.</summary>
     public static unsafe void Distance(
-        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, float maxDistance,
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, WarmStart* warm, float maxDistance,
         out DistanceResult result)
     {
-        var solver = new DistanceSolver<NoTrace>(maxDistance);
+        var solver = new DistanceSolver<NoTrace>(maxDistance, warm);
         Run(a, poseA, b, poseB, ref solver, out result);
     }
 

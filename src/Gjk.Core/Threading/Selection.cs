@@ -54,7 +54,7 @@ internal sealed class Selection<T>
         }
 
         var job = new Job<TSelector>(selector, _selected, _counts);
-        Workers.Run(workers, job, count, ShareLength, CancellationToken.None);
+        Workers.Run(workers, job, count, ShareLength);
         return (count + ShareLength - 1) / ShareLength;
     }
 

@@ -100,7 +100,7 @@ public sealed partial class Workers : IDisposable
     /// <exception cref="OperationCanceledException">Cancelled; an unknown number of shares was run.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     internal static void Run<TJob>(
-        Workers? workers, in TJob job, int count, int shareLength, CancellationToken cancellation)
+        Workers? workers, in TJob job, int count, int shareLength, CancellationToken cancellation = default)
         where TJob : struct, IShareJob
     {
         if (workers is not null) workers.Run(job, count, shareLength, cancellation);

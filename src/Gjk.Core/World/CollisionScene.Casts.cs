@@ -109,7 +109,7 @@ public sealed partial class CollisionScene
         CheckShape(shape);
         CheckPose(pose);
         Guard.Finite(translation, nameof(translation));
-        CheckDistance(maxFraction, nameof(maxFraction));
+        Guard.NonNegativeOrInfinite(maxFraction, nameof(maxFraction));
     }
 
     private static void CheckShape(in ConvexShape shape)

@@ -55,7 +55,7 @@ public sealed partial class CollisionScene
     public void FindContacts(float maxGap, List<PairContacts> results, Workers? workers = null)
     {
         Guard.NotNull(results, nameof(results));
-        CheckDistance(maxGap, nameof(maxGap));
+        Guard.NonNegativeOrInfinite(maxGap, nameof(maxGap));
         if (maxGap != _contactGap)
         {
             _within.Forget();
@@ -76,8 +76,8 @@ public sealed partial class CollisionScene
         var job = new SceneContactJob(_objects, pairs, answers, unions, maxGap);
         var joined = new SceneUnionJob(_objects, pairs, answers, unions, maxGap);
         answers.Begin(pairs, _objects.Ids, ref _calls, isKept);
-        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength, CancellationToken.None);
-        Workers.Run(workers, joined, unions.Count, PairBatch.ConcaveShareLength, CancellationToken.None);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength);
+        Workers.Run(workers, joined, unions.Count, PairBatch.ConcaveShareLength);
         answers.Complete();
         results.Clear();
         for (int i = 0; i < answers.Count; i++)

@@ -23,7 +23,7 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, float distance, List<PairDistance> results,
         in QueryFilter filter = default)
     {
-        CheckDistance(distance, nameof(distance));
+        Guard.NonNegativeOrInfinite(distance, nameof(distance));
         Guard.NotNull(results, nameof(results));
         int guest = Invite(shape, pose, distance, filter);
         ConcaveScratch? scratch = _objects.Parts.RentIfAny();
@@ -98,7 +98,7 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, float maxGap, List<PairContacts> results,
         in QueryFilter filter = default)
     {
-        CheckDistance(maxGap, nameof(maxGap));
+        Guard.NonNegativeOrInfinite(maxGap, nameof(maxGap));
         Guard.NotNull(results, nameof(results));
         int guest = Invite(shape, pose, maxGap, filter);
         _guestPairs.Clear();

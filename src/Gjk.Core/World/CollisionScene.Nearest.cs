@@ -39,7 +39,7 @@ public sealed partial class CollisionScene
     {
         CheckShape(shape);
         CheckPose(pose);
-        CheckDistance(maxDistance, nameof(maxDistance));
+        Guard.NonNegativeOrInfinite(maxDistance, nameof(maxDistance));
         int guest = _objects.Invite(shape, pose, new ShapeBounds(shape));
         var search = new NearestSearch(_objects, guest, maxDistance, filter);
         bool isFound = TryFindNearest(ref search, out nearest);

@@ -23,7 +23,7 @@ public sealed partial class CollisionScene
     public void CollectCandidates(List<ObjectPair> candidates, float distance = 0, Workers? workers = null)
     {
         Guard.NotNull(candidates, nameof(candidates));
-        CheckDistance(distance, nameof(distance));
+        Guard.NonNegativeOrInfinite(distance, nameof(distance));
         CollectSlots(distance, candidates, workers);
         if (_objects.IsDirect) return;
         for (int i = 0; i < candidates.Count; i++) candidates[i] = _objects.IdsOf(candidates[i]);
@@ -91,7 +91,7 @@ public sealed partial class CollisionScene
     public void FindPairsWithin(float distance, List<PairDistance> results, Workers? workers = null)
     {
         Guard.NotNull(results, nameof(results));
-        CheckDistance(distance, nameof(distance));
+        Guard.NonNegativeOrInfinite(distance, nameof(distance));
         CollectSlots(distance, _candidates, workers);
         var job = new SceneDistanceJob(_objects, _candidates, _pairWarmStarts, distance);
         AnswerPairs(_pairWarmStarts, _candidates, job, workers);
@@ -111,11 +111,6 @@ public sealed partial class CollisionScene
         int a = _objects.Checked(idA, nameof(idA)), b = _objects.Checked(idB, nameof(idB));
         if (a == b) throw new ArgumentException("An object has no distance to itself.", nameof(idB));
         return _objects.Parts.Distance(a, b, float.PositiveInfinity).Result;
-    }
-
-    private static void CheckDistance(float distance, string name)
-    {
-        if (!(distance >= 0)) throw new ArgumentOutOfRangeException(name, distance, "Must not be negative or NaN.");
     }
 
     /// <summary>What was found of the i-th pair.</summary>
@@ -142,7 +137,7 @@ public sealed partial class CollisionScene
         where TJob : struct, IShareJob
     {
         frame.Begin(pairs, _objects.Ids, ref _calls, isKept);
-        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength, CancellationToken.None);
+        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength);
         frame.Complete();
     }
 

@@ -34,8 +34,7 @@ internal sealed class SceneMoves(SceneObjects objects)
     public void Apply(RigidPose[] poses, long calls, Workers? workers)
     {
         DropRepeated(poses.Length);
-        Workers.Run(
-            workers, new ApplyJob(objects, Slots, poses, calls), poses.Length, ShareLength, CancellationToken.None);
+        Workers.Run(workers, new ApplyJob(objects, Slots, poses, calls), poses.Length, ShareLength);
     }
 
     private void Reserve(int count)

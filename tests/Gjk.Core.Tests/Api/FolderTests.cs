@@ -71,20 +71,20 @@ public class FolderTests(ITestOutputHelper output)
     private static readonly Dictionary<string, int> Budgets = new()
     {
         ["Arithmetic"] = 128,
-        ["Batch"] = 168,
-        ["BroadPhase"] = 1015,
-        ["Concave"] = 3698,
+        ["Batch"] = 164,
+        ["BroadPhase"] = 993,
+        ["Concave"] = 3697,
         ["Concave/Trees"] = 724,
-        ["Contacts"] = 1032,
+        ["Contacts"] = 1011,
         ["Cores"] = 566,
-        ["Diagnostics"] = 681,
-        ["Geometry"] = 610,
+        ["Diagnostics"] = 651,
+        ["Geometry"] = 612,
         ["Hulls"] = 208,
         ["Hulls/Building"] = 822,
         ["Hulls/Lookup"] = 873,
         ["Minkowski"] = 338,
-        ["Queries"] = 1925,
-        ["Queries/Rays"] = 571,
+        ["Queries"] = 1902,
+        ["Queries/Rays"] = 569,
         ["Shapes"] = 1280,
         ["Simplex"] = 885,
         ["Solvers"] = 606,
@@ -94,7 +94,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Sorting"] = 89,
         ["Threading"] = 211,
         ["Wide"] = 908,
-        ["World"] = 1203,
+        ["World"] = 1200,
     };
 
     [Fact]

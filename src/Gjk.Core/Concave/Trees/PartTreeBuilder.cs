@@ -130,7 +130,7 @@ internal sealed class PartTreeBuilder
     {
         var branches = new PartTreeBuilder[count];
         for (int i = 0; i < count; i++) branches[i] = new PartTreeBuilder(this, ranges[i].Count);
-        Workers.Run(_workers, new BranchJob(branches, ranges), count, 1, CancellationToken.None);
+        Workers.Run(_workers, new BranchJob(branches, ranges), count, 1);
         int nodes = _nodes;
         foreach (PartTreeBuilder branch in branches) nodes += branch._nodes - 1;
         Array.Resize(ref _boxes, nodes * PartTree.Stride);

@@ -17,15 +17,8 @@ internal static class RayHull
         in Double3 foot, in Double3 direction, ConvexHull hull, HullPlanes planes, out RaySpan span)
     {
         span = RaySpan.Everything;
-        int entry = -1;
         double length = direction.LargestMagnitude, size = hull.BoundingRadius;
-#if NET
-        bool isLeft = Vector256.IsHardwareAccelerated
-            ? ClipLanes(foot, direction, planes.Blocks, length, size, ref span, out entry)
-            : Clip(foot, direction, planes.Blocks, length, size, ref span, out entry);
-#else
-        bool isLeft = Clip(foot, direction, planes.Blocks, length, size, ref span, out entry);
-#endif
+        bool isLeft = Clip(foot, direction, planes.Blocks, length, size, ref span, out int entry);
         if (entry == Along) return RayFinding.Unfit;
         if (!isLeft || !(span.Enter <= span.Exit) || entry < 0) return RayFinding.Missed;
         double[] blocks = planes.Blocks;
@@ -38,6 +31,10 @@ internal static class RayHull
         in Double3 foot, in Double3 direction, double[] blocks, double length, double size, ref RaySpan span,
         out int entry)
     {
+#if NET
+        if (Vector256.IsHardwareAccelerated)
+            return ClipLanes(foot, direction, blocks, length, size, ref span, out entry);
+#endif
         entry = -1;
         bool isLeft = true, isAlong = false;
         for (int block = 0; block < blocks.Length; block += HullPlanes.BlockDoubles)
