@@ -86,7 +86,7 @@ internal sealed class Truth
         ScenePairs.Enumerator pairs = scene.Pairs.GetEnumerator();
         foreach (CsvRow row in table.Rows)
         {
-            if (!pairs.MoveNext()) throw row.Refuse("a", $"the scene has only {scene.Pairs.Count} pairs");
+            if (!pairs.MoveNext()) throw row.Refuse("a", "the scene has no further pair");
             (int a, int b) = pairs.Current;
             if (row.Index("a") != a) throw row.Refuse("a", $"the scene's next pair is {a},{b}");
             if (row.Index("b") != b) throw row.Refuse("b", $"the scene's next pair is {a},{b}");
