@@ -3,17 +3,14 @@ namespace Gjk.Core;
 /// <summary>Corners of a mesh that lie on another triangle's border edge, between its ends (T-junctions): triangles
 /// without area fill them, so that what meets there is joined. They are no parts; only neighbourhood knows
 /// them.</summary>
-/// <remarks>Corners are put into cubes as large as a border edge is long on average, and each edge asks the cubes along
-/// it: the edges have as many pieces together as there are edges, at most twice.</remarks>
+/// <remarks>Corners are put into cubes as large as a border edge is long on average, and as what counts as on an edge.
+/// Each edge asks the cubes along it, piece by piece: there are at most twice as many pieces as edges, and some 27
+/// cubes at each.</remarks>
 internal sealed class CornersOnEdges
 {
     /// <summary>Count: so many corners are near a border edge, on average. In a heap of triangles that has more there
     /// are no T-junctions, and looking for them would take the square of the time. Pinned by FloorTests.</summary>
     private const int MostNear = 64;
-
-    /// <summary>Count: of cubes along a mesh. With more their numbers would be rounded; no mesh with edges so short has
-    /// corners on them.</summary>
-    private const double MostCubes = 1L << 40;
 
     private readonly TriangleMesh _mesh;
     private readonly double _cube;
@@ -33,12 +30,12 @@ internal sealed class CornersOnEdges
     /// <param name="borders">The sides that are edges of one triangle alone.</param>
     public static int[] Fill(TriangleMesh mesh, int[] borders)
     {
+        if (borders.Length == 0) return [];
         double sum = 0;
         foreach (int side in borders)
             sum += (mesh.GetCorner(ContactCone.After(side)) - mesh.GetCorner(side)).Length;
-        double cube = sum / borders.Length;
-        if (!(mesh.Tree.Radius < cube * MostCubes)) return [];
-        var search = new CornersOnEdges(mesh, cube, borders.Length);
+        double least = 2 * ContactCone.Flat * (mesh.Tree.Origin.Length + 2 * mesh.Tree.Radius);
+        var search = new CornersOnEdges(mesh, Math.Max(sum / borders.Length, least), borders.Length);
         search.Collect(borders);
         foreach (int side in borders)
             if (!search.TryAsk(side)) return [];
@@ -52,9 +49,9 @@ internal sealed class CornersOnEdges
         for (int i = 0; i < 2 * borders.Length; i++)
         {
             int corner = i % 2 == 0 ? borders[i / 2] : ContactCone.After(borders[i / 2]);
-            Double3 place = _mesh.GetCorner(corner), cube = CubeOf(place);
-            var key = new Vector3((float)cube.X, (float)cube.Y, (float)cube.Z);
+            Double3 place = _mesh.GetCorner(corner);
             if (!seen.Add((Vector3)place)) continue;
+            var key = (Vector3)CubeOf(place);
             if (!_last.TryGetValue(key, out int before)) before = -1;
             _last[key] = _corners.Count;
             _corners.Add((corner, before));
@@ -84,26 +81,25 @@ internal sealed class CornersOnEdges
             for (double x = low.X; x <= high.X; x++)
             {
                 for (double y = low.Y; y <= high.Y; y++)
-                    for (double z = low.Z; z <= high.Z; z++) AskCube(side, new Vector3((float)x, (float)y, (float)z));
+                    for (double z = low.Z; z <= high.Z; z++) AskCube(side, start, edge, (Vector3)new Double3(x, y, z));
             }
         }
 
         return _left >= 0;
     }
 
-    private void AskCube(int side, Vector3 cube)
+    private void AskCube(int side, in Double3 start, in Double3 edge, Vector3 cube)
     {
         if (!_last.TryGetValue(cube, out int at)) return;
         for (; at >= 0 && _left >= 0; at = _corners[at].Before, _left--)
         {
             int corner = _corners[at].Corner;
-            if (IsBetween(side, _mesh.GetCorner(corner), out double along)) _found.Add((side, along, corner));
+            if (IsBetween(start, edge, _mesh.GetCorner(corner), out double along)) _found.Add((side, along, corner));
         }
     }
 
-    private bool IsBetween(int side, in Double3 place, out double along)
+    private static bool IsBetween(in Double3 start, in Double3 edge, in Double3 place, out double along)
     {
-        Double3 start = _mesh.GetCorner(side), edge = _mesh.GetCorner(ContactCone.After(side)) - start;
         along = Double3.Dot(place - start, edge) / edge.LengthSquared;
         return along > 0 && along < 1 && place != start && place != start + edge
             && ContactCone.IsFlat(start, start + edge, place);

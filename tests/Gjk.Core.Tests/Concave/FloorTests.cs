@@ -74,6 +74,25 @@ public class FloorTests
         Assert.InRange(clock.Elapsed.TotalSeconds, 0, 3);
     }
 
+    /// <summary>Triangles a million units from their own origin, with edges of a few steps of float: what counts as on an
+    /// edge is as long as the edges are.</summary>
+    [Fact]
+    public void FarTrianglesAreBuiltInTime()
+    {
+        const int Cells = 200;
+        var points = new List<Vector3>();
+        for (int i = 0; i < Cells * Cells; i++)
+        {
+            float x = 1e6f + i / Cells * 64, z = 1e6f + i % Cells * 64;
+            points.AddRange([new(x, 0, z), new(x, 0, z + 0.25f), new(x + 0.25f, 0, z)]);
+        }
+
+        var clock = Stopwatch.StartNew();
+        var mesh = new TriangleMesh(points, [.. Enumerable.Range(0, points.Count)]);
+        Assert.InRange(clock.Elapsed.TotalSeconds, 0, 3);
+        Assert.True(mesh.BorderEdgeCount > Cells * Cells);
+    }
+
     private bool IsFlatUnder(TriangleMesh mesh)
     {
         Quaternion lying = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);

@@ -6,20 +6,17 @@ namespace Gjk.Core.Tests.Queries;
 /// one.</summary>
 public class GenerousRadiusTests
 {
+    public static TheoryData<double> Radii => [10, 1e4, 1e9, 1e12];
+
     [Theory]
-    [InlineData(10)]
-    [InlineData(1e4)]
-    [InlineData(1e9)]
-    [InlineData(1e12)]
+    [MemberData(nameof(Radii))]
     public void ACastDoesNotDependOnTheBoundingRadius(double radius)
     {
         int hits = 0;
         for (ulong seed = 0; seed < 400; seed++)
         {
             var rng = new Rng(seed);
-            double margin = seed % 2 == 0 ? 0.25 : 0;
-            var tight = new Octahedron(1 + margin, margin);
-            var generous = new Octahedron(radius, margin);
+            (Octahedron tight, Octahedron generous) = Twins(seed, radius);
             RigidPose poseA = new(rng.Rotation(), Vector3.Zero), poseB = new(rng.Rotation(), rng.Direction() * 5);
             var other = new BoxShape(new Vector3(0.5f, 0.25f, 1));
             Vector3 motion = -2 * poseB.Position + rng.Direction();
@@ -36,19 +33,14 @@ public class GenerousRadiusTests
     }
 
     [Theory]
-    [InlineData(10)]
-    [InlineData(1e4)]
-    [InlineData(1e9)]
-    [InlineData(1e12)]
+    [MemberData(nameof(Radii))]
     public void ARayDoesNotDependOnTheBoundingRadius(double radius)
     {
         int hits = 0;
         for (ulong seed = 0; seed < 400; seed++)
         {
             var rng = new Rng(seed);
-            double margin = seed % 2 == 0 ? 0.25 : 0;
-            var tight = new Octahedron(1 + margin, margin);
-            var generous = new Octahedron(radius, margin);
+            (Octahedron tight, Octahedron generous) = Twins(seed, radius);
             RigidPose pose = new(rng.Rotation(), Vector3.Zero);
             Vector3 origin = rng.Direction() * (seed % 3 == 0 ? 1e5f : 5);
             Vector3 toward = rng.Direction() - origin;
@@ -67,19 +59,14 @@ public class GenerousRadiusTests
     /// <summary>Shapes that overlap, then are drawn apart or pushed in: what a cast passes, it passes for every
     /// radius.</summary>
     [Theory]
-    [InlineData(10)]
-    [InlineData(1e4)]
-    [InlineData(1e9)]
-    [InlineData(1e12)]
+    [MemberData(nameof(Radii))]
     public void APassedContactDoesNotDependOnTheBoundingRadius(double radius)
     {
         var options = CastOptions.OnlyDeeper(0.05f);
         for (ulong seed = 0; seed < 400; seed++)
         {
             var rng = new Rng(seed);
-            double margin = seed % 2 == 0 ? 0.25 : 0;
-            var tight = new Octahedron(1 + margin, margin);
-            var generous = new Octahedron(radius, margin);
+            (Octahedron tight, Octahedron generous) = Twins(seed, radius);
             RigidPose poseA = new(rng.Rotation(), Vector3.Zero), poseB = new(rng.Rotation(), rng.Direction() * 5);
             var other = new BoxShape(new Vector3(0.5f, 0.25f, 1));
             Vector3 motion = -2 * poseB.Position + 2 * rng.Direction();
@@ -89,6 +76,13 @@ public class GenerousRadiusTests
             if (!expected.IsHit) continue;
             Assert.True(Math.Abs(expected.Fraction - found.Fraction) <= 1e-7, $"seed {seed}: {expected} {found}");
         }
+    }
+
+    /// <summary>The same shape with the least bounding radius, and with that one.</summary>
+    private static (Octahedron Tight, Octahedron Generous) Twins(ulong seed, double radius)
+    {
+        double margin = seed % 2 == 0 ? 0.25 : 0;
+        return (new Octahedron(1 + margin, margin), new Octahedron(radius, margin));
     }
 
     /// <summary>Six corners at 1 along the axes, and a margin.</summary>
