@@ -74,8 +74,8 @@ public class FloorTests
         Assert.InRange(clock.Elapsed.TotalSeconds, 0, 3);
     }
 
-    /// <summary>Triangles a million units from their own origin, with edges of a few steps of float: what counts as on an
-    /// edge is as long as the edges are.</summary>
+    /// <summary>Triangles a million units from their own origin, with edges of a few steps of float: what counts as on
+    /// an edge is as long as the edges are.</summary>
     [Fact]
     public void FarTrianglesAreBuiltInTime()
     {
