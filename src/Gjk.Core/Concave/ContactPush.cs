@@ -29,12 +29,14 @@ internal static class ContactPush
     /// <summary>Adds the contacts of faces that are needed beside those that are there, and then of the pairs that no
     /// contact takes apart what holds them.</summary>
     /// <param name="scratch">With both sides, the contacts of faces and the orphans.</param>
-    /// <param name="contacts">Those that need no others to be judged, sorted; it is sorted again.</param>
+    /// <param name="contacts">Those that need no others to be judged; it is sorted.</param>
     public static void AddNeeded(ConcaveScratch scratch, List<PairContacts> contacts)
     {
-        if (scratch.FaceContacts.Count > 0) AddFaces(scratch, contacts);
-        if (scratch.Orphans.Count > 0) AddOrphans(scratch, contacts);
         InPlaceSort.Sort(contacts);
+        int own = contacts.Count;
+        if (scratch.FaceContacts.Count > 0) AddFaces(scratch, contacts);
+        if (scratch.Orphans.Count > 0) AddOrphans(scratch, contacts, own);
+        if (contacts.Count > own) InPlaceSort.Sort(contacts);
         RemoveTwice(contacts);
     }
 
@@ -49,7 +51,7 @@ internal static class ContactPush
         InPlaceSort.Sort(others);
         InPlaceSort.Sort(faces);
         scratch.Pushes.Clear();
-        int next = 0, nextFace = contacts.Count;
+        int next = 0, own = contacts.Count, nextFace = own;
         for (int i = faces.Count - 1; i >= 0; i--)
         {
             float much = faces[i].Contact.Result.Distance * MuchLess;
@@ -57,12 +59,12 @@ internal static class ContactPush
                 Collect(contacts[others[next].Contact], scratch.Pushes);
             for (; nextFace < contacts.Count && contacts[nextFace].Result.Distance > much; nextFace++)
                 Collect(contacts[nextFace], scratch.Pushes);
-            if (IsNeeded(scratch, faces[i])) contacts.Add(faces[i].Contact);
+            if (IsNeeded(scratch, faces[i])) contacts.Add(Named(faces[i], contacts, own));
         }
     }
 
     /// <summary>The deepest orphan first, as its push takes most others apart.</summary>
-    private static void AddOrphans(ConcaveScratch scratch, List<PairContacts> contacts)
+    private static void AddOrphans(ConcaveScratch scratch, List<PairContacts> contacts, int own)
     {
         List<FaceContact> orphans = scratch.Orphans;
         InPlaceSort.Sort(orphans);
@@ -71,9 +73,21 @@ internal static class ContactPush
         foreach (FaceContact orphan in orphans)
         {
             if (IsHeld(scratch, orphan)) continue;
-            contacts.Add(orphan.Contact);
+            contacts.Add(Named(orphan, contacts, own));
             Collect(orphan.Contact, scratch.Pushes);
         }
+    }
+
+    /// <summary>The contact of a face, named by its pair where the parts at its tip have one that pushes another way:
+    /// of two crossing sheets each pair may show another side.</summary>
+    /// <param name="face">The contact, and its pair.</param>
+    /// <param name="contacts">With the others.</param>
+    /// <param name="own">How many of them are sorted.</param>
+    private static PairContacts Named(in FaceContact face, List<PairContacts> contacts, int own)
+    {
+        PairContacts one = face.Contact;
+        int other = contacts.BinarySearch(0, own, one, null);
+        return other >= 0 && AreApart(contacts[other], one) ? face.OfOwnParts : one;
     }
 
     /// <summary>Leaves each pair of parts its deepest contact, of those sorted.</summary>

@@ -32,6 +32,9 @@ internal readonly struct FaceContact(
     {
     }
 
+    /// <summary>The contact, named by the pair.</summary>
+    public PairContacts OfOwnParts => new(PartA, PartB, Contact.Result, Contact.Manifold, Contact.Pair);
+
     /// <summary>False of a <c>default</c> struct.</summary>
     public bool IsThere => Contact.Manifold.Count > 0;
 

@@ -55,7 +55,7 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
         {
             float depth = _best.Contact.Result.Distance;
             bool isMuchDeeper = depth < 0 && _own.Result.Distance > depth * ContactPush.MuchLess;
-            if (!_isGhost && !isMuchDeeper) contacts.Add(_best.Contact);
+            if (!_isGhost && !isMuchDeeper) contacts.Add(_best.OfOwnParts);
             else scratch.FaceContacts.Add(_best);
         }
         else if (_standIn.IsThere)

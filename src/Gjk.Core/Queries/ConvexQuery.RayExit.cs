@@ -79,7 +79,8 @@ public static partial class ConvexQuery
     }
 
     /// <summary>The radius of a ball about the centre that holds what a line crosses of a shape. The bounding radius
-    /// may be so generous that doubles of its size round the shape away.</summary>
+    /// may be so generous that doubles of its size round the shape away. Of a flat shape that is crossed at its centre
+    /// the line has no length, but the shape has.</summary>
     private static double ReachAlong<T>(ref T shape, in RigidPose pose, in LocalRay ray)
         where T : struct, ISupportMap
     {
@@ -87,7 +88,8 @@ public static partial class ConvexQuery
         shape.Support(along, out Double3 last);
         shape.Support(-along, out Double3 first);
         double most = Math.Max(Double3.Dot(last, along), -Double3.Dot(first, along));
-        return Math.Min(most + ray.Foot.Length, shape.BoundingRadius) + shape.Margin;
+        double reach = Math.Max(most + ray.Foot.Length, last.Length);
+        return Math.Min(reach, shape.BoundingRadius) + shape.Margin;
     }
 
     /// <summary>A half-space is left where the half-space on its other side is entered.</summary>

@@ -45,6 +45,26 @@ public class CrossingSheetTests
         Assert.NotEmpty(Find(fold, pose, AnyShape.Of(ConvexShape.Point()), at));
     }
 
+    /// <summary>Of two sheets of nearly one place a pair that crosses is pushed out at a corner that is another pair's,
+    /// too, whose own contact is on the other side: each is named by its own parts.</summary>
+    [Fact]
+    public void APairKeepsItsContactBesideThatOfAPairThatCrosses()
+    {
+        Vector3 scale = new(-1.8006905f, -0.66165f, 0.8746338f), tip = new(0.044522684f, 0.84780717f, -0.54215485f);
+        AnyShape a = Sheet(new(0.035206422f, -0.187273f, -0.9982214f));
+        AnyShape b = Sheet(new(-0.75769836f, 0.26250398f, 0.06746166f));
+        var turn = new Quaternion(0.70710677f, 0, 0, -0.70710677f);
+        var apart = new RigidPose(turn, new Vector3(0.00020589425f, -0.0006866662f, 0.00015199788f));
+        List<PairContacts> contacts = Find(a, new RigidPose(turn, Vector3.Zero), b, apart);
+        PairContacts own = Assert.Single(contacts, one => one.PartA == 0 && one.PartB == 0);
+        Assert.Equal((GjkStatus.Separated, 3), (own.Result.Status, own.Manifold.Count));
+        PairContacts crossing = Assert.Single(contacts, one => one.PartA == 1 && one.PartB == 0);
+        Assert.Equal(GjkStatus.Overlapping, crossing.Result.Status);
+
+        AnyShape Sheet(Vector3 end) => AnyShape.Surface(
+            new TriangleMesh([Vector3.Zero, Vector3.UnitY, tip, end], [0, 1, 2, 3, 1, 0]).Scaled(scale));
+    }
+
     private static AnyShape Book(params Vector3[] leaves) => AnyShape.Surface(new TriangleMesh(
         [Vector3.Zero, Vector3.UnitY, .. leaves],
         [.. Enumerable.Range(0, leaves.Length).SelectMany(i => i < 2 ? new[] { 0, 1, 2 + i } : [2 + i, 1, 0])]));

@@ -77,6 +77,27 @@ public class TouchingStartTests
         Assert.InRange(hits, 0.03 * count, 0.4 * count);
     }
 
+    /// <summary>Where the bounding balls are those of the shapes they are apart at the start, by less than counts as
+    /// touching.</summary>
+    [Fact]
+    public void WhatTheDistanceCallsTouchingIsHitAtZero()
+    {
+        ConvexShape ball = ConvexShape.Ellipsoid(Vector3.One), point = ConvexShape.Sphere(0.07143247f);
+        var at = new RigidPose(new Vector3(0, -1.9e-8f, 1.6e-8f));
+        var beside = new RigidPose(new Vector3(0.20162179f, 0.90375173f, 0.53902596f));
+        Check(ball, at, point, beside, new Vector3(0, 0, -500_000));
+        var below = new RigidPose(new Vector3(-0.0916751f, -0.05800019f, -0.05918061f));
+        Check(ConvexShape.Cone(0, 3e-12f), Here, ConvexShape.Sphere(0.12357464f), below, new Vector3(0.02f, 0, 0));
+
+        static void Check(
+            in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, Vector3 motion)
+        {
+            Assert.Equal(0, ConvexQuery.SignedDistance(a, poseA, b, poseB).Distance);
+            CastResult r = ConvexQuery.Cast(a, poseA, default, b, poseB, motion);
+            Assert.Equal((CastStatus.Hit, 0f), (r.Status, r.Fraction));
+        }
+    }
+
     /// <summary>What has no inside is gone through: a point leaves a triangle on either side, and along it.</summary>
     [Theory]
     [InlineData(0, -1, 0)]

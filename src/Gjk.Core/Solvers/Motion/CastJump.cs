@@ -16,6 +16,10 @@ internal struct CastJump
     /// Pinned by CastToleranceTests.</summary>
     private const double Through = 4;
 
+    /// <summary>Ratio of squares: four times what a touching gap adds to the square of the radii. Pinned by
+    /// TouchingStartTests.</summary>
+    private const double StartBand = 8 * GjkTolerances.TouchCurved;
+
     /// <summary>Where B is now, a length along the line.</summary>
     public double Along;
 
@@ -41,7 +45,18 @@ internal struct CastJump
         place._start = -line.Middle * line.Speed;
         place._end = (most - line.Middle) * line.Speed + line.Error;
         place._right = double.PositiveInfinity;
-        place.Along = place.Left = place._safe = Math.Max(place._start, -line.HalfChord);
+        place.Along = place._start < -line.HalfChord && !IsAtBalls(place._start, line)
+            ? -line.HalfChord
+            : place._start;
+        place.Left = place._safe = place.Along;
+    }
+
+    /// <summary>Whether the start is so near to where the bounding balls touch that it may count as touching: then the
+    /// distance there must say whether it does.</summary>
+    private static bool IsAtBalls(double start, in CastLine line)
+    {
+        double chord = line.HalfChord * line.HalfChord, reach = chord + line.Nearest.LengthSquared;
+        return start * start - chord <= StartBand * reach;
     }
 
     /// <summary>False at the very start, which has its own translation, exact to the last bit.</summary>
