@@ -104,10 +104,11 @@ internal static class ContactPush
         contacts.RemoveRange(kept, contacts.Count - kept);
     }
 
-    /// <summary>Adds the push of a contact, unless one of its direction is as deep.</summary>
+    /// <summary>Adds the push of a contact, unless one of its direction is as deep. What is level, as a pair is
+    /// that may be an orphan, holds that pair.</summary>
     private static void Collect(in PairContacts contact, List<PairContacts> pushes)
     {
-        if (!(contact.Result.Distance <= ContactCone.Slack * DeepestPoint.PlaceOf(contact.Result))) return;
+        if (!(contact.Result.Distance <= SeamContacts.LevelRoomOf(contact.Result))) return;
         int nearest = -1;
         float cosine = -2;
         for (int i = 0; i < pushes.Count; i++)

@@ -86,7 +86,8 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
         bool isShown = tipFit == ContactFit.Stays
             && !JoinedGrounds.GoesOn(scratch, other, part, tip.Placed, -world);
         ContactManifold along = Along(isOfA ? world : -world, shapeA, shapeB);
-        isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap);
+        double share = IsLarger(mesh, other, shape) ? TipRoom : 0;
+        isShown &= other.IsConvex || along.Count == 0 || IsAsDeep(along, tip.Gap, share);
         isLed = isLed && led.Gap <= 0 && !JoinedGrounds.GoesOn(scratch, other, part, led.Placed, -world);
         if (!isShown && along.Count > 0 && tipFit != ContactFit.Ghost && MayLean(mesh, other, part, shape, world))
         {
@@ -113,10 +114,14 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
 
     /// <summary>Whether the points of a mesh's part are as deep as its tip: only the tip is known to be shown along the
     /// face, and not what lies beside it.</summary>
-    public static bool IsAsDeep(in ContactManifold manifold, double tip)
+    /// <param name="manifold">The points.</param>
+    /// <param name="tip">Its gap.</param>
+    /// <param name="share">Of the tip's depth: points that are less deep by no more count. None where the part's body
+    /// is the larger one, as a floor is: what that shows far from the other body does not push that aslant.</param>
+    public static bool IsAsDeep(in ContactManifold manifold, double tip, double share = TipRoom)
     {
         DistanceResult deepest = DeepestPoint.Result(manifold, default);
-        double room = TipRoom * Math.Abs(tip) + ContactCone.Slack * DeepestPoint.PlaceOf(deepest);
+        double room = share * Math.Abs(tip) + ContactCone.Slack * DeepestPoint.PlaceOf(deepest);
         return deepest.Distance <= tip + room;
     }
 
@@ -135,11 +140,14 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
     /// body, and else where they are level.</summary>
     private static bool MayLean(PartSide mesh, PartSide other, int part, in ConvexShape shape, in Double3 face)
     {
-        if (mesh.RadiusWith(shape) >= other.RadiusWith(shape)) return true;
+        if (IsLarger(mesh, other, shape)) return true;
         if (other.Mesh is null) return false;
         Double3 across = new RotationD(other.Pose.Rotation).Rotate(ContactCone.NormalOf(other, part));
         return Double3.Cross(across, face).Length <= Level;
     }
+
+    private static bool IsLarger(PartSide mesh, PartSide other, in ConvexShape shape) =>
+        mesh.RadiusWith(shape) >= other.RadiusWith(shape);
 
     /// <summary>The points along a face where the other body ends, if its tip is elsewhere.</summary>
     private readonly ContactManifold Shown(

@@ -30,13 +30,19 @@ internal static class FlushSides
 
     /// <summary>Adds the plane in which the union ends where it goes on from a witness, if all of it ends
     /// there.</summary>
-    public static void AddEnd(List<OpenPlane> ends, in PartsCover cover)
+    /// <param name="ends">Gets it.</param>
+    /// <param name="cover">The union around the contact.</param>
+    /// <param name="isNear">Whether the contact is no deeper than the pairs are near: what goes on is among
+    /// them.</param>
+    public static void AddEnd(List<OpenPlane> ends, in PartsCover cover, bool isNear)
     {
         OpenPlane end = cover.EndNear();
         if (!(Double3.Dot(end.Normal, cover.Outward) > Steepest)) return;
         ConvexShape room = default;
-        bool goesOn = cover.GoesOn(end.Foot, end.Normal) || CoveredSides.GoesOn(
-            cover.Part(ref room), cover.Side.Local(end.Foot), cover.Side.Turned(end.Normal), cover.Side.Rounding);
+        bool goesOn = cover.GoesOn(end.Foot, end.Normal)
+            || CoveredSides.GoesOn(
+                cover.Part(ref room), cover.Side.Local(end.Foot), cover.Side.Turned(end.Normal), cover.Side.Rounding)
+            || (!isNear && cover.GoesOnAfar(end.Foot, end.Normal));
         if (!goesOn) CoveredSides.Add(ends, end);
     }
 

@@ -57,6 +57,11 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         return false;
     }
 
+    /// <summary>Whether another part does so that need not be near the same part of the other body: where the two are
+    /// deep, what is beyond a witness may be further from that than pairs are looked for.</summary>
+    public bool GoesOnAfar(in Double3 point, in Double3 direction) =>
+        JoinedGrounds.GoesOn(scratch, Side, Own, point, direction);
+
     /// <summary>Whether a pair is of another part of the body and the same one of the other body.</summary>
     private bool IsBeside(in PairDistance near, PartSide side, bool isJoint)
     {

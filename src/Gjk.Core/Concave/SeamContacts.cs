@@ -75,7 +75,7 @@ internal static class SeamContacts
         areOpen.Clear();
         foreach (PairContacts one in contacts)
         {
-            bool isNear = !(-one.Result.Distance > maxGap), isAtJoint = IsAtJoint(scratch, isA, one, isNear);
+            bool isNear = IsNear(one, maxGap), isAtJoint = IsAtJoint(scratch, isA, one, isNear);
             areAtJoints.Add(isAtJoint);
             bool isOpen = !isAtJoint && !IsAtJoint(scratch, !isA, one, isNear);
             areOpen.Add(isOpen);
@@ -87,7 +87,8 @@ internal static class SeamContacts
         ends.Clear();
         for (int i = 0; i < contacts.Count; i++)
         {
-            if (areAtJoints[i]) FlushSides.AddEnd(ends, new PartsCover(scratch, isA, contacts[i]));
+            if (areAtJoints[i])
+                FlushSides.AddEnd(ends, new PartsCover(scratch, isA, contacts[i]), IsNear(contacts[i], maxGap));
             else if (areOpen[i] && !IsCovered(scratch, isA, contacts[i], false))
                 CoveredSides.AddPlane(scratch, isA, contacts[i], ends);
         }
@@ -116,6 +117,9 @@ internal static class SeamContacts
         contacts.RemoveRange(kept, contacts.Count - kept);
     }
 
+    /// <summary>Whether a contact is no deeper than the pairs are near.</summary>
+    private static bool IsNear(in PairContacts one, float maxGap) => !(-one.Result.Distance > maxGap);
+
     private static void RemoveCoveredFaces(ConcaveScratch scratch, bool isA)
     {
         List<FaceContact> faces = scratch.FaceContacts;
@@ -137,6 +141,13 @@ internal static class SeamContacts
         Double3 point = isA ? one.Result.LocalPointA : one.Result.LocalPointB;
         double rounding = scratch.SideOf(one.Pair.A, isA).Rounding;
         return one.Result.Distance <= Level * (CoveredSides.Room * point.SumOfMagnitudes + rounding);
+    }
+
+    /// <summary>World units: parts that are level are no further apart than this, whichever body goes on.</summary>
+    public static double LevelRoomOf(in DistanceResult at)
+    {
+        double lengths = ((Double3)at.LocalPointA).SumOfMagnitudes + ((Double3)at.LocalPointB).SumOfMagnitudes;
+        return Level * (CoveredSides.Room * lengths + CoveredSides.RoundingAt(at.PointA));
     }
 
     /// <summary>Whether another part of its body goes on where a contact is.</summary>

@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 164,
         ["BroadPhase"] = 993,
-        ["Concave"] = 3702,
+        ["Concave"] = 3714,
         ["Concave/Trees"] = 724,
         ["Contacts"] = 1011,
         ["Cores"] = 566,
