@@ -83,7 +83,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Hulls/Building"] = 822,
         ["Hulls/Lookup"] = 873,
         ["Minkowski"] = 338,
-        ["Queries"] = 1902,
+        ["Queries"] = 1889,
         ["Queries/Rays"] = 569,
         ["Shapes"] = 1280,
         ["Simplex"] = 885,
