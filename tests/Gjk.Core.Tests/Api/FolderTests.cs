@@ -51,7 +51,7 @@ public class FolderTests(ITestOutputHelper output)
             ]),
         (
             "Diagnostics",
-            ["Arithmetic", "Geometry", "Hulls", "Cores", "Shapes", "Solvers/Motion", "Queries", "Queries/Rays"]),
+            ["Arithmetic", "Geometry", "Hulls", "Cores", "Shapes", "Queries", "Queries/Rays"]),
         (
             "Wide",
             [
@@ -89,7 +89,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Simplex"] = 885,
         ["Solvers"] = 606,
         ["Solvers/Depth"] = 1230,
-        ["Solvers/Motion"] = 912,
+        ["Solvers/Motion"] = 898,
         ["Solvers/Trace"] = 110,
         ["Sorting"] = 89,
         ["Threading"] = 211,
