@@ -69,23 +69,14 @@ public static unsafe partial class ConvexQuery
 
     /// <summary>When two bodies that do not turn touch. A contact at the start has the status OverlappingAtStart and no
     /// normal, touching included.</summary>
-    private struct CastQuestion : IPairSolver<CastResult>
+    private struct CastQuestion(Vector3 translationA, Vector3 translationB, float maxFraction, WarmStart* warm)
+        : IPairSolver<CastResult>
     {
-        private readonly WarmStart* _warm;
-        private readonly Vector3 _translationA, _translationB;
-        private readonly Double3 _motion;
-        private readonly float _maxFraction;
+        private readonly WarmStart* _warm = warm;
+        private readonly Vector3 _translationA = translationA, _translationB = translationB;
+        private readonly Double3 _motion = (Double3)translationB - translationA;
+        private readonly float _maxFraction = maxFraction < 0 ? 0 : maxFraction;
         private CastFinding _cast;
-
-        public CastQuestion(Vector3 translationA, Vector3 translationB, float maxFraction, WarmStart* warm)
-        {
-            _warm = warm;
-            _translationA = translationA;
-            _translationB = translationB;
-            _motion = (Double3)translationB - translationA;
-            _maxFraction = maxFraction < 0 ? 0 : maxFraction;
-            UnsafeRef.SkipInit(out _cast);
-        }
 
         readonly bool IPairSolver<CastResult>.TryFormula<TA, TB>(
             ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out CastResult result)

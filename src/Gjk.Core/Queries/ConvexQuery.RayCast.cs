@@ -156,7 +156,7 @@ public static partial class ConvexQuery
     }
 
     /// <summary>Where a point that is cast meets a core.</summary>
-    private struct RayQuestion : IPairSolver<RayMeeting>
+    private struct RayQuestion(in WorldRay line) : IPairSolver<RayMeeting>
     {
         /// <summary>Ratio of the origin's distance to the radius, beyond which the ray begins anew: from further away,
         /// rounding could carry the point through a flat shape. Pinned by TheClosedFormAgreesWithTheCast in
@@ -167,22 +167,12 @@ public static partial class ConvexQuery
         /// <summary>Ratio to the radius: how far from the foot it begins then, outside the ball.</summary>
         private const double Anew = 2;
 
-        private readonly WorldRay _line;
+        private readonly WorldRay _line = line;
 
         /// <summary>Where the cast begins, its direction, how long that is, and the power of two in that.</summary>
-        private double _begin, _length, _power;
-        private Double3 _direction;
+        private double _begin = 0, _length = line.Length, _power = 1;
+        private Double3 _direction = line.Direction;
         private CastFinding _cast;
-
-        public RayQuestion(in WorldRay line)
-        {
-            _line = line;
-            _begin = 0;
-            _direction = line.Direction;
-            _length = line.Length;
-            _power = 1;
-            UnsafeRef.SkipInit(out _cast);
-        }
 
         readonly bool IPairSolver<RayMeeting>.TryFormula<TA, TB>(
             ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, out RayMeeting hit)

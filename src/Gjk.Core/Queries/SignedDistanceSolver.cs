@@ -66,7 +66,7 @@ internal unsafe struct SignedDistanceSolver<TTrace> : IPairSolver<DistanceResult
 
         SignedSolver<TA, TB, TTrace>.Solve(ref a, ref b, frame, ref *Warm, Warm != null, ref state, ref Trace);
         if (Touch != null && state.IsCurved && state.Verdict == Verdict.Apart)
-            Touch->IsTouch = CurvedTouch<TA, TB>.TryFind(ref a, ref b, frame, state, out Touch->Found);
+            Touch->IsTouch = CastNormal<TA, TB>.TryFindTouch(ref a, ref b, frame, state, out Touch->Found);
     }
 
     readonly void IPairSolver<DistanceResult>.Finish(

@@ -82,7 +82,7 @@ public class BuildCostOnMonoTests
         ("SignedSolver.TraceRound", Trace), ("SmoothNormal.TryEnd", State),
         ("AdvancementSolver.Solve", State), ("AdvancementSolver.TryLeave", Back), ("CastNormal.*", State),
         ("CastPortal.Solve", State), ("CastSolver.Find", State), ("ContactFollower.Solve", State),
-        ("ContactFollower.TryEnd", Back), ("CurvedTouch.TryMeasureGap", State), ("DeepeningSolver.*", State),
+        ("ContactFollower.TryEnd", Back), ("DeepeningSolver.*", State),
         ("TurningBody.Measure", "each so many steps, for all axes"), ("TurningPlane.Choose", State),
         ("CollisionScene.*", "once for each question about the whole scene"), ("NearestSearch.*", Answer),
         ("MovingShape.*", Answer), ("FirstCastHit.*", Answer), ("AllCastHits.*", Answer),

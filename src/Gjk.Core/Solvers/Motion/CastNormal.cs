@@ -6,7 +6,8 @@ namespace Gjk.Core;
 /// <remarks>Cores without margins are first moved away from the contact, along the normal that is known: the closest
 /// points stay where they are but for a small part of its error. There the textbook's walk goes on until the distance
 /// stops falling. Nothing but the last digits depend on its end, so nothing need be proved: the normal is taken if its
-/// plane is at least as good as the one that is known.</remarks>
+/// plane is at least as good as the one that is known. The gap of shapes that overlap by a trifle needs no more: any
+/// plane bounds it soundly, and the bound is sharp where its normal is that of the shortest way out.</remarks>
 internal static class CastNormal<TA, TB>
     where TA : struct, ISupportMap
     where TB : struct, ISupportMap
@@ -23,24 +24,78 @@ internal static class CastNormal<TA, TB>
     /// CurvedCastTests.</summary>
     private const int MaxRounds = 64;
 
-    /// <summary>Makes normal and point sharper; the simplex in the state is used up.</summary>
+    /// <summary>Ratio to the size: what is deeper is deep, whatever the search leaves open (5e-7 where it has to divide
+    /// its surface), and is not looked at. A larger one is only slower; a quarter would do where nothing is
+    /// divided.</summary>
+    private const double Shallow = 4 * GjkTolerances.DepthNoiseCurved;
+
+    /// <summary>Count: how often a gap is measured, each time along the normal that was found the time before. Once is
+    /// too few: pinned by RayStartTests. More are only slower.</summary>
+    private const int MostGaps = 2;
+
+    /// <summary>Whether the shapes overlap by no more than counts as touching, and where they touch.</summary>
+    /// <param name="a">The first core.</param>
+    /// <param name="b">The second one.</param>
+    /// <param name="frame">The pair.</param>
+    /// <param name="state">Its signed distance.</param>
+    /// <param name="touch">Gets normal and point.</param>
+    public static bool TryFindTouch(
+        ref TA a, ref TB b, in PairFrame frame, in SolverState state, out CastFinding touch)
+    {
+        touch = default;
+        return TryMeasureGap(ref a, ref b, frame, state, ref touch, out double gap)
+            && gap >= -GjkTolerances.TouchCurved * state.Size.Value;
+    }
+
+    /// <summary>Measures the gap of shapes that overlap by less than the search for a depth can tell: that ends within
+    /// 1e-6 of the size, and touching is 1e-9.</summary>
+    /// <param name="a">The first core.</param>
+    /// <param name="b">The second one.</param>
+    /// <param name="frame">The pair.</param>
+    /// <param name="state">Its signed distance.</param>
+    /// <param name="touch">Gets normal and point; the iterations are added.</param>
+    /// <param name="gap">The gap between the planes across the normal, in solver units: at most the signed
+    /// distance.</param>
+    /// <returns>False where they are deeper.</returns>
+    public static bool TryMeasureGap(
+        ref TA a, ref TB b, in PairFrame frame, in SolverState state, ref CastFinding touch, out double gap)
+    {
+        gap = double.NegativeInfinity;
+        double size = state.Size.Value, scale = 1 / Math.Sqrt(state.Feature.NormalSquared);
+        if (frame.Margins - state.Feature.Height * scale > Shallow * size) return false;
+        touch.Normal = state.Feature.Normal * -scale;
+        touch.OnA = state.Simplex.WitnessOnA(state.Weights);
+        PairFrame moved = frame;
+        Simplex.Make(out Simplex simplex);
+        for (int count = 0; count < MostGaps && !(gap >= -GjkTolerances.TouchCurved * size); count++)
+            gap = Sharpen(ref a, ref b, ref moved, -touch.Normal, ref simplex, ref touch);
+        return true;
+    }
+
+    /// <summary>Makes normal and point sharper; the simplex is used up.</summary>
+    /// <param name="a">The first core.</param>
+    /// <param name="b">The second one.</param>
+    /// <param name="frame">The pair where they touch.</param>
+    /// <param name="axis">A direction in which B moves into A.</param>
+    /// <param name="simplex">Room for the walk.</param>
+    /// <param name="cast">The contact.</param>
     /// <returns>The gap between the shapes along the normal, negative where they reach past each other.</returns>
     public static double Sharpen(
-        ref TA a, ref TB b, ref PairFrame frame, in CastLine line, ref SolverState state, ref CastFinding cast)
+        ref TA a, ref TB b, ref PairFrame frame, in Double3 axis, ref Simplex simplex, ref CastFinding cast)
     {
         Double3 contact = frame.Translation;
-        double known = GapAlong(ref a, ref b, frame, cast.Normal, ref state.Simplex, ref cast);
+        double known = GapAlong(ref a, ref b, frame, cast.Normal, ref simplex, ref cast);
         if (frame.Margins == 0) frame.Translation += cast.Normal * (Retreat * frame.Radius);
         FeatureVertices.Make(out FeatureVertices vertices);
-        ClosestFeature feature = Walk(ref a, ref b, frame, ref vertices, ref state.Simplex, ref cast);
+        ClosestFeature feature = Walk(ref a, ref b, frame, ref vertices, ref simplex, ref cast);
         double length = Math.Sqrt(feature.NormalSquared);
         if (!(length > 0)) return known;
         Double3 normal = feature.Normal * (-1 / length);
-        state.Simplex.Select(vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
-        Double3 onA = state.Simplex.WitnessOnA(ClosestPointWeights.Of(state.Simplex));
+        simplex.Select(vertices.Count, (int)vertices.A.Slot, (int)vertices.B.Slot, (int)vertices.C.Slot, 0);
+        Double3 onA = simplex.WitnessOnA(ClosestPointWeights.Of(simplex));
         frame.Translation = contact;
-        double slope = -Double3.Dot(normal, line.Axis);
-        double gap = GapAlong(ref a, ref b, frame, normal, ref state.Simplex, ref cast);
+        double slope = -Double3.Dot(normal, axis);
+        double gap = GapAlong(ref a, ref b, frame, normal, ref simplex, ref cast);
 
         // Of all planes the one in which they touch leaves the widest gap.
         if (!(gap >= known && slope > 0)) return known;

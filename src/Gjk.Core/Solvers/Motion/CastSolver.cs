@@ -94,7 +94,8 @@ internal static class CastSolver
                 if (cast.Outcome == MotionVerdict.Miss) return;
                 cast.OnA = state.Simplex.WitnessOnA(state.Weights);
                 if (cast.Fraction == 0) cast.OnA += ToCommon(state, frame);
-                else if (state.IsCurved) CastNormal<TA, TB>.Sharpen(ref a, ref b, ref frame, line, ref state, ref cast);
+                else if (state.IsCurved)
+                    CastNormal<TA, TB>.Sharpen(ref a, ref b, ref frame, line.Axis, ref state.Simplex, ref cast);
                 return;
             }
 

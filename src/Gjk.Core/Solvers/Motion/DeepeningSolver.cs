@@ -125,7 +125,7 @@ internal static class DeepeningSolver<TA, TB>
     {
         CastFinding touch = default;
         bool isSharp = probe.Most > probe.Touch;
-        if (!isSharp && CurvedTouch<TA, TB>.TryMeasureGap(ref a, ref b, frame, state, ref touch, out double gap))
+        if (!isSharp && CastNormal<TA, TB>.TryMeasureGap(ref a, ref b, frame, state, ref touch, out double gap))
         {
             probe.Most = probe.Least = Math.Max(gap, probe.Least);
             probe.Slope = Double3.Dot(touch.Normal, axis);
