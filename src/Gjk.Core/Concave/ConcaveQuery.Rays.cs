@@ -42,7 +42,8 @@ public static partial class ConcaveQuery
                 return found;
             }
 
-            PairDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
+            PartPairSearch.Run(scratch, float.PositiveInfinity);
+            PairDistance start = Answer(scratch, float.PositiveInfinity, isSigned: true);
             if (start.Distance < 0 && !sides.Has(RaySides.Hollow))
             {
                 return new RayHit(

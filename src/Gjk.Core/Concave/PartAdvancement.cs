@@ -40,7 +40,7 @@ internal static class PartAdvancement
         PartSide sideA = scratch.A, sideB = scratch.B;
         double reachA = Reach(sideA), reachB = Reach(sideB), speed = search.Speed, from = 0;
         double span = Near * (reachA + reachB) / speed;
-        PartWarmStart nearest = default;
+        int nearestA = PartSide.NoPart, nearestB = PartSide.NoPart;
         for (search.Steps = 0; from <= search.Last; search.Steps++)
         {
             bool isPosed = TryPoseAt(motion.A, from, out sideA.Pose) & TryPoseAt(motion.B, from, out sideB.Pose);
@@ -53,8 +53,8 @@ internal static class PartAdvancement
             }
 
             double rounding = RoundingOf(sideA, sideB);
-            PartPairSearch.Run(scratch, float.PositiveInfinity, nearest);
-            nearest.Set(scratch.Search.PartA, scratch.Search.PartB);
+            PartPairSearch.Run(scratch, float.PositiveInfinity, nearestA, nearestB);
+            (nearestA, nearestB) = (scratch.Search.PartA, scratch.Search.PartB);
             double room = (search.TouchRoom + rounding) / speed;
             double free = scratch.Search.LowerBound / speed - room;
             if (free > span)

@@ -61,7 +61,8 @@ internal static class CurvedTouch<TA, TB>
             moved.Translation = frame.Translation + touch.Normal * (Retreat * size);
             SolverState.Make<TA, TB>(moved, out SolverState apart);
             apart.Feature.Normal = moved.FirstNormal;
-            ProvedDistance.Solve(ref a, ref b, moved, double.PositiveInfinity, false, ref apart, ref trace);
+            GjkDistance.Solve(ref a, ref b, moved, double.PositiveInfinity, ref apart, ref trace);
+            GjkExtendedPrecision.Settle(ref a, ref b, moved, double.PositiveInfinity, false, ref apart, ref trace);
             SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, moved, ref apart, ref trace);
             touch.Iterations += apart.Iterations;
             if (apart.Verdict != Verdict.Apart) return false;
