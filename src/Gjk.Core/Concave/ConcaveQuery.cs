@@ -31,7 +31,7 @@ public static partial class ConcaveQuery
                 ConvexQuery.Distance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB, maxDistance));
         }
 
-        if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
+        if (float.IsNaN(maxDistance) || !TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
         PartPairSearch.Run(scratch, maxDistance);
         return Answer(scratch, maxDistance, isSigned: false);
     }
@@ -51,7 +51,7 @@ public static partial class ConcaveQuery
         ConcaveScratch scratch, float maxDistance = float.PositiveInfinity)
     {
         if (AreConvex(a, b)) return Distance(a, poseA, b, poseB, scratch, maxDistance);
-        if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
+        if (float.IsNaN(maxDistance) || !TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
         PartPairSearch.Run(scratch, maxDistance, warmStart.PartA, warmStart.PartB);
         if (scratch.Search.PartA >= 0) warmStart.Set(scratch.Search.PartA, scratch.Search.PartB);
         return Answer(scratch, maxDistance, isSigned: false);
@@ -116,7 +116,7 @@ public static partial class ConcaveQuery
                 ConvexQuery.SignedDistance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB));
         }
 
-        if (!TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
+        if (!TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
         PartPairSearch.Run(scratch, float.PositiveInfinity);
         return Answer(scratch, float.PositiveInfinity, isSigned: true);
     }
@@ -126,7 +126,7 @@ public static partial class ConcaveQuery
     private static bool AreConvex(in AnyShape a, in AnyShape b) =>
         a.Kind == AnyShapeKind.Convex && b.Kind == AnyShapeKind.Convex;
 
-    private static bool TryBegin(
+    private static bool TrySetSides(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
         scratch is not null && scratch.A.TrySet(a, poseA) && scratch.B.TrySet(b, poseB);
 }

@@ -123,7 +123,7 @@ internal struct PartPairSearch
         TreeFrame.Compose(
             scratch.A.Tree, scratch.A.Pose, scratch.B.Tree, scratch.B.Pose, scratch.A.Margin + scratch.B.Margin,
             out Frame);
-        if (scratch.A.Mesh is not null && scratch.B.Mesh is not null) scratch.Filter.Begin(Frame);
+        if (scratch.A.Mesh is not null && scratch.B.Mesh is not null) scratch.Filter.Reset(Frame);
         scratch.Plane.Clear();
         _idle = _visits = Asked = 0;
         int corners = (scratch.A.Mesh?.VertexCount ?? 0) + (scratch.B.Mesh?.VertexCount ?? 0);
