@@ -55,5 +55,5 @@ public readonly struct CastHit : IComparable<CastHit>
     }
 
     /// <summary>The object, the parts and the result, for people to read.</summary>
-    public override string ToString() => HitText.Of(Id, PartA, PartB) + Result;
+    public override string ToString() => HitText.Name(Id, PartA, PartB) + Result;
 }

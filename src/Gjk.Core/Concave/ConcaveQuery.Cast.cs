@@ -35,7 +35,7 @@ public static partial class ConcaveQuery
         }
 
         bool isValid = Guard.IsFinite(translationA) && Guard.IsFinite(translationB);
-        if (!isValid || !TryBegin(a, poseA, b, poseB, scratch)) return InvalidCast;
+        if (!isValid || !TrySetSides(a, poseA, b, poseB, scratch)) return InvalidCast;
         var motionA = new RigidMotion(poseA, translationA);
         var motionB = new RigidMotion(poseB, translationB);
         return Move(scratch, new PartMotion(MotionKind.Cast, motionA, motionB, maxFraction, 0, options));
@@ -66,7 +66,7 @@ public static partial class ConcaveQuery
         }
 
         bool isValid = motionA.IsValid && motionB.IsValid && !float.IsNaN(tolerance);
-        if (!isValid || !TryBegin(a, motionA.Pose, b, motionB.Pose, scratch)) return InvalidCast;
+        if (!isValid || !TrySetSides(a, motionA.Pose, b, motionB.Pose, scratch)) return InvalidCast;
         return Move(scratch, new PartMotion(MotionKind.Impact, motionA, motionB, maxFraction, tolerance, options));
     }
 
@@ -91,7 +91,7 @@ public static partial class ConcaveQuery
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
-        search.Begin(scratch, motion);
+        search.Reset(scratch, motion);
         if (lifted != motion.B.Pose) search.Lift(lifted, lift);
         search.AllCasts = all;
         bool isAdvanced = motion.Kind == MotionKind.Impact && search.Speed > 0 && !motion.Options.PassesShallow

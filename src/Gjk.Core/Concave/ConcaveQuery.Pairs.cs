@@ -18,7 +18,7 @@ public static partial class ConcaveQuery
     {
         if (pairs is null) return false;
         pairs.Clear();
-        if (float.IsNaN(distance) || !TryBegin(a, poseA, b, poseB, scratch)) return false;
+        if (float.IsNaN(distance) || !TrySetSides(a, poseA, b, poseB, scratch)) return false;
         PartPairSearch.Collect(scratch, distance, pairs);
         InPlaceSort.Sort(pairs);
         return true;

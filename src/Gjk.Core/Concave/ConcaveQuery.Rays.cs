@@ -22,7 +22,7 @@ public static partial class ConcaveQuery
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity, in CastOptions options = default, RaySides sides = RaySides.Both)
     {
-        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options, sides))
+        if (!TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, sides))
             return new RayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
         PartCastSearch.Run(scratch);
         RayHit found = FirstOf(scratch, maxDistance);
@@ -42,7 +42,8 @@ public static partial class ConcaveQuery
                 return found;
             }
 
-            PairDistance start = Ask(scratch, float.PositiveInfinity, isSigned: true);
+            PartPairSearch.Run(scratch, float.PositiveInfinity);
+            PairDistance start = Answer(scratch, float.PositiveInfinity, isSigned: true);
             if (start.Distance < 0 && !sides.Has(RaySides.Hollow))
             {
                 return new RayHit(
@@ -53,7 +54,7 @@ public static partial class ConcaveQuery
 
             // The next surface on the way is looked for from both sides.
             if (start.Distance == 0 && sides.Has(RaySides.FrontOnly)
-                && TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options, RaySides.Both))
+                && TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, RaySides.Both))
             {
                 PartCastSearch.Run(scratch);
             }
@@ -116,7 +117,7 @@ public static partial class ConcaveQuery
     {
         if (hits is null) return false;
         hits.Clear();
-        if (!TryBeginRay(shape, pose, origin, direction, scratch, maxDistance, options, sides)) return false;
+        if (!TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, sides)) return false;
         scratch.CastSearch.All = hits;
         PartCastSearch.Run(scratch);
         scratch.CastSearch.All = null;
@@ -180,14 +181,14 @@ public static partial class ConcaveQuery
         return !float.IsNaN(maxDistance);
     }
 
-    private static bool TryBeginRay(
+    private static bool TrySetRay(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
         float maxDistance, in CastOptions options, RaySides sides)
     {
         bool isRay = Guard.IsFinite(origin) && Guard.IsFinite(direction) && direction != Vector3.Zero
             && !float.IsNaN(maxDistance);
-        if (!isRay || !TryBegin(shape, pose, Point, new RigidPose(origin), scratch)) return false;
-        scratch.CastSearch.Begin(scratch, new PartMotion(
+        if (!isRay || !TrySetSides(shape, pose, Point, new RigidPose(origin), scratch)) return false;
+        scratch.CastSearch.Reset(scratch, new PartMotion(
             MotionKind.Ray, new RigidMotion(pose, Vector3.Zero), new RigidMotion(new RigidPose(origin), direction),
             maxDistance, 0, options));
         scratch.CastSearch.Sides = sides;

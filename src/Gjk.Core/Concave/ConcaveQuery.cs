@@ -31,8 +31,9 @@ public static partial class ConcaveQuery
                 ConvexQuery.Distance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB, maxDistance));
         }
 
-        if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
-        return Ask(scratch, maxDistance, false);
+        if (float.IsNaN(maxDistance) || !TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
+        PartPairSearch.Run(scratch, maxDistance);
+        return Answer(scratch, maxDistance, isSigned: false);
     }
 
     /// <summary>As the other, with the parts that were nearest in the last query of the pair as a guess.</summary>
@@ -50,10 +51,10 @@ public static partial class ConcaveQuery
         ConcaveScratch scratch, float maxDistance = float.PositiveInfinity)
     {
         if (AreConvex(a, b)) return Distance(a, poseA, b, poseB, scratch, maxDistance);
-        if (float.IsNaN(maxDistance) || !TryBegin(a, poseA, b, poseB, scratch)) return Invalid;
-        PairDistance found = Ask(scratch, maxDistance, false, warmStart);
+        if (float.IsNaN(maxDistance) || !TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
+        PartPairSearch.Run(scratch, maxDistance, warmStart.PartA, warmStart.PartB);
         if (scratch.Search.PartA >= 0) warmStart.Set(scratch.Search.PartA, scratch.Search.PartB);
-        return found;
+        return Answer(scratch, maxDistance, isSigned: false);
     }
 
     /// <summary>Whether two shapes share a point, touching included.</summary>
@@ -67,12 +68,10 @@ public static partial class ConcaveQuery
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
         Distance(a, poseA, b, poseB, scratch, 0).IsOverlapping;
 
-    /// <summary>The distance, or the signed distance, of what the scratch holds.</summary>
-    private static PairDistance Ask(
-        ConcaveScratch scratch, float maxDistance, bool isSigned, in PartWarmStart guess = default)
+    /// <summary>The distance, or the signed distance, once the nearest parts are found.</summary>
+    private static PairDistance Answer(ConcaveScratch scratch, float maxDistance, bool isSigned)
     {
         PartSide a = scratch.A, b = scratch.B;
-        PartPairSearch.Run(scratch, maxDistance, guess);
         ref PartPairSearch search = ref scratch.Search;
         bool isFound = search.PartA >= 0, isTouching = isFound && search.Best.IsOverlapping;
         DistanceResult best = isFound
@@ -109,18 +108,25 @@ public static partial class ConcaveQuery
     /// <c>Distance</c> says: no single number is the depth of shapes that are not convex, so theirs is 0;
     /// <c>FindDepths</c> has those of the pairs of parts.</returns>
     public static PairDistance SignedDistance(
-        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
-        AreConvex(a, b)
-            ? new PairDistance(
-                ConvexQuery.SignedDistance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB))
-            : TryBegin(a, poseA, b, poseB, scratch) ? Ask(scratch, float.PositiveInfinity, true) : Invalid;
+        in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch)
+    {
+        if (AreConvex(a, b))
+        {
+            return new PairDistance(
+                ConvexQuery.SignedDistance(AnyShape.ConvexOf(a), poseA, AnyShape.ConvexOf(b), poseB));
+        }
+
+        if (!TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
+        PartPairSearch.Run(scratch, float.PositiveInfinity);
+        return Answer(scratch, float.PositiveInfinity, isSigned: true);
+    }
 
     private static PairDistance Invalid => new(DistanceResult.Invalid(GjkStatus.InvalidInput, 0));
 
     private static bool AreConvex(in AnyShape a, in AnyShape b) =>
         a.Kind == AnyShapeKind.Convex && b.Kind == AnyShapeKind.Convex;
 
-    private static bool TryBegin(
+    private static bool TrySetSides(
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
         scratch is not null && scratch.A.TrySet(a, poseA) && scratch.B.TrySet(b, poseB);
 }

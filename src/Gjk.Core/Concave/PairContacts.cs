@@ -48,5 +48,5 @@ public readonly struct PairContacts : IComparable<PairContacts>
     }
 
     /// <summary>The objects, the parts, their result and their points, for people to read.</summary>
-    public override string ToString() => $"{HitText.Of(Pair, PartA, PartB)}{Result}, {Manifold}";
+    public override string ToString() => $"{HitText.Name(Pair, PartA, PartB)}{Result}, {Manifold}";
 }

@@ -49,5 +49,5 @@ public readonly struct PairDistance : IComparable<PairDistance>
     }
 
     /// <summary>The objects, the parts and the result, for people to read.</summary>
-    public override string ToString() => HitText.Of(Pair, PartA, PartB) + Result;
+    public override string ToString() => HitText.Name(Pair, PartA, PartB) + Result;
 }

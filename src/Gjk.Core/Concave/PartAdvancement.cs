@@ -17,11 +17,11 @@ internal static class PartAdvancement
     /// longer ones ask more parts, shorter ones more distances. No test can tell.</summary>
     private const double Near = 1.0 / (1 << 6);
 
-    /// <summary>Count: so many looks at two parts cost about as much as a distance of the bodies. A piece after one
+    /// <summary>Count: so many pairs of parts cost about as much as a distance of the bodies. A piece after one
     /// with fewer is twice as long; after one that got less far for its cost than the distance does, it is half. Where
     /// the bodies are about as near as parts that touch, distances lead nowhere, and each piece is twice as long. It
     /// changes the cost alone.</summary>
-    private const int LooksPerDistance = 32;
+    private const int PartsPerDistance = 32;
 
     /// <summary>Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at
     /// most 2^-23, and a position's by 2^-24 each. More only costs time; less is not seen by a test, as a touch has
@@ -40,21 +40,21 @@ internal static class PartAdvancement
         PartSide sideA = scratch.A, sideB = scratch.B;
         double reachA = Reach(sideA), reachB = Reach(sideB), speed = search.Speed, from = 0;
         double span = Near * (reachA + reachB) / speed;
-        PartWarmStart nearest = default;
+        int nearestA = PartSide.NoPart, nearestB = PartSide.NoPart;
         for (search.Steps = 0; from <= search.Last; search.Steps++)
         {
             bool isPosed = TryPoseAt(motion.A, from, out sideA.Pose) & TryPoseAt(motion.B, from, out sideB.Pose);
             if (!isPosed || search.Steps >= MostSteps)
             {
                 if (!isPosed) (sideA.Pose, sideB.Pose, from) = (motion.A.Pose, motion.B.Pose, 0);
-                search.Look(scratch, from, double.PositiveInfinity, isPosed ? RoundingOf(sideA, sideB) : 0);
+                search.RestrictTo(scratch, from, double.PositiveInfinity, isPosed ? RoundingOf(sideA, sideB) : 0);
                 PartCastSearch.Run(scratch);
                 break;
             }
 
             double rounding = RoundingOf(sideA, sideB);
-            PartPairSearch.Run(scratch, float.PositiveInfinity, nearest);
-            nearest.Set(scratch.Search.PartA, scratch.Search.PartB);
+            PartPairSearch.Run(scratch, float.PositiveInfinity, nearestA, nearestB);
+            (nearestA, nearestB) = (scratch.Search.PartA, scratch.Search.PartB);
             double room = (search.TouchRoom + rounding) / speed;
             double free = scratch.Search.LowerBound / speed - room;
             if (free > span)
@@ -65,13 +65,13 @@ internal static class PartAdvancement
 
             double to = from + span;
             int before = search.Asked;
-            search.Look(scratch, from, to, rounding);
+            search.RestrictTo(scratch, from, to, rounding);
             PartCastSearch.Run(scratch);
             int asked = search.Asked - before;
             if (to >= search.Last) break;
             from = to;
-            if (asked < LooksPerDistance || free <= room) span *= 2;
-            else if (asked * free > LooksPerDistance * span) span /= 2;
+            if (asked < PartsPerDistance || free <= room) span *= 2;
+            else if (asked * free > PartsPerDistance * span) span /= 2;
         }
 
         sideA.Pose = motion.A.Pose;

@@ -83,14 +83,14 @@ internal struct PartCastSearch
     private readonly double Size => (_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins;
 
     /// <summary>Prepares a search.</summary>
-    public void Begin(ConcaveScratch scratch, in PartMotion motion)
+    public void Reset(ConcaveScratch scratch, in PartMotion motion)
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         _motion = motion;
         _maxFraction = Math.Max(motion.MaxFraction, 0);
         _margins = sideA.Margin + sideB.Margin;
         (_from, _to) = (0, double.PositiveInfinity);
-        Place(scratch, 0);
+        ComposeFrame(scratch, 0);
         Double3 way = motion.Way;
         _length = motion.Kind == MotionKind.Impact
             ? way.Length + Spin(sideA, motion.A.AngularVelocity) + Spin(sideB, motion.B.AngularVelocity)
@@ -120,14 +120,14 @@ internal struct PartCastSearch
     /// <param name="from">The fraction that it begins at.</param>
     /// <param name="to">The one that it ends at.</param>
     /// <param name="rounding">World units: so far the sides may be from where the motion has them.</param>
-    public void Look(ConcaveScratch scratch, double from, double to, double rounding)
+    public void RestrictTo(ConcaveScratch scratch, double from, double to, double rounding)
     {
         (_from, _to) = (from, to);
-        Place(scratch, rounding);
+        ComposeFrame(scratch, rounding);
         SetReached(Last);
     }
 
-    private void Place(ConcaveScratch scratch, double rounding)
+    private void ComposeFrame(ConcaveScratch scratch, double rounding)
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         TreeFrame.Compose(sideA.Tree, sideA.Pose, sideB.Tree, sideB.Pose, _margins, out _frame);
@@ -167,7 +167,10 @@ internal struct PartCastSearch
                     continue;
                 }
 
-                bool isA = search.Bounds(boxesA, pair.A, childA, boxesB, pair.B, childB, bounds);
+                bool isA = search._frame.Open(
+                    boxesA, pair.A, childA, boxesB, pair.B, childB, out float* node, out float factor,
+                    out TurnedBox other);
+                search.Bounds(isA, node, factor, other, bounds);
                 heap.AddBelow(pair, isA, isA ? a.Children : b.Children, bounds, search._reached);
             }
         }
@@ -196,14 +199,10 @@ internal struct PartCastSearch
         _reached = _motion.Kind == MotionKind.Impact ? BoxLanes.Squared(way) : BoxLanes.AtMost(way * Beyond);
     }
 
-    private readonly unsafe bool Bounds(
-        float* boxesA, int a, int childA, float* boxesB, int b, int childB, float* bounds)
+    private readonly unsafe void Bounds(bool isA, float* node, float factor, in TurnedBox other, float* bounds)
     {
-        bool isA = _frame.Open(
-            boxesA, a, childA, boxesB, b, childB, out float* node, out float factor, out TurnedBox other);
         if (_motion.Kind == MotionKind.Impact) BoxLanes.DistanceSquared(node, factor, other, _frame.Room, bounds);
         else BoxLanes.Entries(node, factor, other, isA ? _wayInA : _wayInB, _room, bounds);
-        return isA;
     }
 
     private void AskLeaves(ConcaveScratch scratch, int leafA, int leafB)
@@ -233,7 +232,7 @@ internal struct PartCastSearch
                 a, _motion.A.Pose, _motion.B.Pose.Position, _motion.B.Velocity, most, _motion.Options, Sides);
             TriangleBack.Judge(scratch.A, partA, _motion.B.Velocity, Sides, ref met);
             if (All is not null && met.IsHit) All.Add(new RayHit(met, scratch.A.NumberOf(partA)));
-            else if (met.IsHit && Take(met.Order, MetFeature.None, partA, partB)) Ray = met;
+            else if (met.IsHit && KeepIfFirst(met.Order, MetFeature.None, partA, partB)) Ray = met;
             return;
         }
 
@@ -265,7 +264,7 @@ internal struct PartCastSearch
         int order = PartA < 0 ? -1 : hit.Result.Order.CompareTo(_best);
         if (order < 0) scratch.Met.Clear();
         if (order <= 0) scratch.Met.Add(hit);
-        if (Take(hit.Result.Order, hit.Feature, hit.PartA, hit.PartB)) Cast = hit.Result;
+        if (KeepIfFirst(hit.Result.Order, hit.Feature, hit.PartA, hit.PartB)) Cast = hit.Result;
     }
 
     /// <summary>Takes the plane of two parts that are apart at the start: where many parts pass each other closely,
@@ -286,7 +285,7 @@ internal struct PartCastSearch
             : ConvexQuery.TimeOfImpact(a, _motion.A, b, motionB, _motion.Tolerance, most, options);
 
     /// <summary>Whether an answer is before the best one; then it takes its place.</summary>
-    private bool Take(in ContactOrder found, MetFeature feature, int partA, int partB)
+    private bool KeepIfFirst(in ContactOrder found, MetFeature feature, int partA, int partB)
     {
         int order = PartA < 0 ? -1 : found.CompareTo(_best);
         if (order == 0) order = (int)feature - (int)Feature;

@@ -5,10 +5,9 @@ namespace Gjk.Core;
 internal sealed class PartHeap
 {
     private Entry[] _entries = new Entry[256];
-    private int _count;
 
     /// <summary>How many wait.</summary>
-    public int Count => _count;
+    public int Count { get; private set; }
 
     /// <summary>Two boxes, each as eight times its node and the lane, and a bound of theirs.</summary>
     public struct Entry
@@ -17,13 +16,13 @@ internal sealed class PartHeap
         public float Bound;
     }
 
-    public void Clear() => _count = 0;
+    public void Clear() => Count = 0;
 
     public void Add(int a, int b, float bound)
     {
-        if (_count + 1 >= _entries.Length) Array.Resize(ref _entries, 2 * _entries.Length);
+        if (Count + 1 >= _entries.Length) Array.Resize(ref _entries, 2 * _entries.Length);
         Entry[] entries = _entries;
-        int at = ++_count;
+        int at = ++Count;
         while (at > 1 && entries[at >> 1].Bound > bound)
         {
             entries[at] = entries[at >> 1];
@@ -55,13 +54,13 @@ internal sealed class PartHeap
     {
         Entry[] entries = _entries;
         top = entries[1];
-        if (_count == 0) return false;
-        Entry last = entries[_count--];
+        if (Count == 0) return false;
+        Entry last = entries[Count--];
         int at = 1;
-        while (2 * at <= _count)
+        while (2 * at <= Count)
         {
             int child = 2 * at;
-            if (child < _count && entries[child + 1].Bound < entries[child].Bound) child++;
+            if (child < Count && entries[child + 1].Bound < entries[child].Bound) child++;
             if (entries[child].Bound >= last.Bound) break;
             entries[at] = entries[child];
             at = child;

@@ -59,15 +59,17 @@ internal struct PartPairSearch
     /// <summary>Finds the least distance that is at most the limit.</summary>
     /// <param name="scratch">With both sides set.</param>
     /// <param name="maxDistance">In world units.</param>
-    /// <param name="guess">The parts to ask first; they need not be near, or be there at all.</param>
-    public static unsafe void Run(ConcaveScratch scratch, float maxDistance, in PartWarmStart guess = default)
+    /// <param name="guessA">The part of A to measure first; it need not be near, or be there at all.</param>
+    /// <param name="guessB">The part of B, likewise.</param>
+    public static unsafe void Run(
+        ConcaveScratch scratch, float maxDistance, int guessA = PartSide.NoPart, int guessB = PartSide.NoPart)
     {
         ref PartPairSearch search = ref scratch.Search;
         PartTree a = scratch.A.Tree, b = scratch.B.Tree;
-        search.Begin(scratch, maxDistance);
-        if ((uint)guess.PartA < (uint)a.Order.Length && (uint)guess.PartB < (uint)b.Order.Length)
+        search.Reset(scratch, maxDistance);
+        if ((uint)guessA < (uint)a.Order.Length && (uint)guessB < (uint)b.Order.Length)
         {
-            search.Ask(scratch, guess.PartA, guess.PartB);
+            search.Measure(scratch, guessA, guessB);
             if (search.PartA >= 0 && search.Best.IsOverlapping) return;
         }
 
@@ -75,6 +77,7 @@ internal struct PartPairSearch
         if (search.Frame.LeastDistanceSquared > search.Reached) return;
         PlaneProof plane = scratch.Plane;
         if (search.PartA < 0 && search.Drops(plane, plane.IsSlabBeyond(scratch.A, scratch.B, search.Limit))) return;
+        bool areMeshes = scratch.A.Mesh is not null && scratch.B.Mesh is not null;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         heap.Clear();
@@ -98,23 +101,29 @@ internal struct PartPairSearch
 
                 if (childA < 0 && childB < 0)
                 {
-                    search.AskLeaves(scratch, pair.A, childA, pair.B, childB);
+                    search._visits++;
+                    if (search.PartA < 0) search.TryPlaneBeyond(scratch, childA, childB);
+                    if (areMeshes) search.MeasureTriangles(scratch, childA, childB);
+                    else search.MeasureParts(scratch, pair.A, childA, pair.B, childB);
                     if (search.PartA >= 0 && search.Best.IsOverlapping) return;
                     continue;
                 }
 
-                bool isA = search.Bounds(boxesA, pair.A, childA, boxesB, pair.B, childB, bounds);
+                bool isA = search.Frame.Open(
+                    boxesA, pair.A, childA, boxesB, pair.B, childB, out float* node, out float factor,
+                    out TurnedBox other);
+                BoxLanes.DistanceSquared(node, factor, other, search.Frame.Room, bounds);
                 heap.AddBelow(pair, isA, isA ? a.Children : b.Children, bounds, search.Reached);
             }
         }
     }
 
-    private void Begin(ConcaveScratch scratch, float maxDistance)
+    private void Reset(ConcaveScratch scratch, float maxDistance)
     {
         TreeFrame.Compose(
             scratch.A.Tree, scratch.A.Pose, scratch.B.Tree, scratch.B.Pose, scratch.A.Margin + scratch.B.Margin,
             out Frame);
-        if (scratch.A.Mesh is not null && scratch.B.Mesh is not null) scratch.Filter.Begin(Frame);
+        if (scratch.A.Mesh is not null && scratch.B.Mesh is not null) scratch.Filter.Reset(Frame);
         scratch.Plane.Clear();
         _idle = _visits = Asked = 0;
         int corners = (scratch.A.Mesh?.VertexCount ?? 0) + (scratch.B.Mesh?.VertexCount ?? 0);
@@ -131,17 +140,6 @@ internal struct PartPairSearch
         Reached = BoxLanes.Squared((distance + scratch.A.Margin + scratch.B.Margin) / Frame.Unit);
     }
 
-    /// <summary>Bounds for the eight boxes below one of a pair.</summary>
-    /// <returns>Whether it is A's that was opened: the larger one, or the one that is no leaf.</returns>
-    public readonly unsafe bool Bounds(
-        float* boxesA, int a, int childA, float* boxesB, int b, int childB, float* bounds)
-    {
-        bool isA = Frame.Open(
-            boxesA, a, childA, boxesB, b, childB, out float* node, out float factor, out TurnedBox other);
-        BoxLanes.DistanceSquared(node, factor, other, Frame.Room, bounds);
-        return isA;
-    }
-
     /// <summary>Notes how near what is dropped may be, if a plane shows that it is no nearer.</summary>
     private bool Drops(PlaneProof plane, bool isShown)
     {
@@ -149,16 +147,8 @@ internal struct PartPairSearch
         return isShown;
     }
 
-    private void AskLeaves(ConcaveScratch scratch, int boxA, int leafA, int boxB, int leafB)
+    private void MeasureParts(ConcaveScratch scratch, int boxA, int leafA, int boxB, int leafB)
     {
-        _visits++;
-        if (PartA < 0 && IsTimeForPlane) AimBeyond(scratch, leafA, leafB);
-        if (scratch.A.Mesh is not null && scratch.B.Mesh is not null)
-        {
-            AskTriangles(scratch, leafA, leafB);
-            return;
-        }
-
         // What is left of either is a single part: a plane tells most pairs apart, and costs little.
         PlaneProof plane = scratch.Plane;
         int firstA = PartTree.FirstOf(leafA), endA = firstA + PartTree.CountOf(leafA);
@@ -174,12 +164,12 @@ internal struct PartPairSearch
                     : plane.IsNoNearerPart(scratch.A, partA, scratch.B, boxB));
                 if (Drops(plane, isDropped || IsFaceNoNearer(scratch, partA, partB))) continue;
                 if (All is null || !PlaneProof.IsBeyond(scratch.A, partA, scratch.B, partB, Limit))
-                    Ask(scratch, partA, partB);
+                    Measure(scratch, partA, partB);
             }
         }
     }
 
-    private void AskTriangles(ConcaveScratch scratch, int leafA, int leafB)
+    private void MeasureTriangles(ConcaveScratch scratch, int leafA, int leafB)
     {
         TriangleFilter filter = scratch.Filter;
         filter.Measure(Frame, scratch.A, leafA, scratch.B, leafB, Reached);
@@ -187,7 +177,8 @@ internal struct PartPairSearch
         while (filter.TryTake(Reached, out int i, out int j))
         {
             int partA = scratch.A.Tree.Order[firstA + i], partB = scratch.B.Tree.Order[firstB + j];
-            if (!Drops(scratch.Plane, IsFaceNoNearer(scratch, partA, partB))) Ask(scratch, partA, partB);
+            if (Drops(scratch.Plane, IsFaceNoNearer(scratch, partA, partB))) continue;
+            Keep(scratch, partA, partB, PartQuery.TriangleDistance(scratch.A, partA, scratch.B, partB, Limit));
             if (All is null && PartA >= 0 && Best.IsOverlapping) return;
         }
     }
@@ -197,12 +188,14 @@ internal struct PartPairSearch
     private readonly bool IsFaceNoNearer(ConcaveScratch scratch, int partA, int partB) =>
         _idle >= IdleBeforeProof && scratch.Plane.IsFaceNoNearer(scratch.A, partA, scratch.B, partB);
 
-    /// <summary>Asks about two parts.</summary>
-    private void Ask(ConcaveScratch scratch, int partA, int partB)
+    private void Measure(ConcaveScratch scratch, int partA, int partB) =>
+        Keep(scratch, partA, partB, PartQuery.Distance(scratch.A, partA, scratch.B, partB, Limit));
+
+    /// <summary>Keeps the distance of two parts if it is the least so far.</summary>
+    private void Keep(ConcaveScratch scratch, int partA, int partB, in DistanceResult found)
     {
         _idle++;
         Asked++;
-        DistanceResult found = PartQuery.Distance(scratch.A, partA, scratch.B, partB, Limit);
         if (found.LowerBound < LowerBound) LowerBound = found.LowerBound;
         if (found.Status is GjkStatus.BeyondMaxDistance or GjkStatus.InvalidInput or GjkStatus.InvalidShape) return;
         if (All is not null)
@@ -211,12 +204,16 @@ internal struct PartPairSearch
             return;
         }
 
-        bool isBetter = PartA < 0 || found.Distance < Best.Distance
-            || (found.Distance == Best.Distance && IsBefore(found.IsOverlapping, partA, partB));
-        bool isNearer = PartA < 0 || found.Distance < Best.Distance;
-        if (isNearer) _idle = 0;
-        if (!isBetter) return;
-        if (isNearer) scratch.Plane.Set(scratch.A, partA, scratch.B, partB, found);
+        if (PartA < 0 || found.Distance < Best.Distance)
+        {
+            _idle = 0;
+            scratch.Plane.Set(scratch.A, partA, scratch.B, partB, found);
+        }
+        else if (found.Distance != Best.Distance || !IsBefore(found.IsOverlapping, partA, partB))
+        {
+            return;
+        }
+
         Best = found;
         (PartA, PartB) = (partA, partB);
         SetLimit(scratch, found.Distance);
@@ -226,12 +223,11 @@ internal struct PartPairSearch
     private readonly bool IsTimeForWhole(PartHeap heap) =>
         PartA < 0 ? _visits >= _patience : _idle >= IdleBeforeProof && heap.Count >= _patience;
 
-    /// <summary>While nothing is near enough, planes are tried, each for twice as long as the last one.</summary>
-    private readonly bool IsTimeForPlane => (_visits & (_visits - 1)) == 0 && _visits >= IdleBeforeProof;
-
-    /// <summary>Takes the plane of two leaves' first parts, if these are too far apart.</summary>
-    private readonly void AimBeyond(ConcaveScratch scratch, int leafA, int leafB)
+    /// <summary>While nothing is near enough, the plane of two leaves' first parts is tried if these are too far apart,
+    /// each for twice as long as the last one.</summary>
+    private readonly void TryPlaneBeyond(ConcaveScratch scratch, int leafA, int leafB)
     {
+        if (_visits < IdleBeforeProof || (_visits & (_visits - 1)) != 0) return;
         int partA = scratch.A.Tree.Order[PartTree.FirstOf(leafA)];
         int partB = scratch.B.Tree.Order[PartTree.FirstOf(leafB)];
         DistanceResult found = PartQuery.Distance(scratch.A, partA, scratch.B, partB, Limit);

@@ -176,15 +176,15 @@ internal sealed class PlaneProof
 
     /// <summary>Whether no pair of parts below two boxes is nearer.</summary>
     public bool IsNoNearer(PartSide a, int boxA, PartSide b, int boxB) =>
-        _between - _a.Of(a, boxA, _alongA, _version) - _b.Of(b, boxB, _alongB, _version) > _limit;
+        _between - _a.BelowBox(a, boxA, _alongA, _version) - _b.BelowBox(b, boxB, _alongB, _version) > _limit;
 
     /// <summary>Whether a part of A is no nearer than what is below a box of B.</summary>
     public bool IsNoNearerPart(PartSide a, int partA, PartSide b, int boxB) =>
-        _between - ReachOf(a, partA, _alongA) - _b.Of(b, boxB, _alongB, _version) > _limit;
+        _between - ReachOf(a, partA, _alongA) - _b.BelowBox(b, boxB, _alongB, _version) > _limit;
 
     /// <inheritdoc cref="IsNoNearerPart"/>
     public bool IsPartNoNearer(PartSide a, int boxA, PartSide b, int partB) =>
-        _between - _a.Of(a, boxA, _alongA, _version) - ReachOf(b, partB, _alongB) > _limit;
+        _between - _a.BelowBox(a, boxA, _alongA, _version) - ReachOf(b, partB, _alongB) > _limit;
 
     /// <summary>Takes a triangle's own normal if it is the one, since a float's rounding tilts a plane.</summary>
     private static bool TryFace(PartSide side, int part, double aligned, ref Double3 normal)
@@ -223,7 +223,7 @@ internal sealed class PlaneProof
         private double[] _values = [];
         private int[] _versions = [];
 
-        public double Of(PartSide side, int box, in Double3 along, int version)
+        public double BelowBox(PartSide side, int box, in Double3 along, int version)
         {
             int boxes = side.Tree.Children.Length;
             if (_values.Length < boxes)

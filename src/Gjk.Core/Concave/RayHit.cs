@@ -43,5 +43,5 @@ public readonly struct RayHit : IComparable<RayHit>
     }
 
     /// <summary>The object, the part and the result, for people to read.</summary>
-    public override string ToString() => HitText.Of(Id, Part) + Result;
+    public override string ToString() => HitText.Name(Id, Part) + Result;
 }

@@ -6,6 +6,10 @@ public static partial class ConvexQuery
     /// (RayQuestion). A matter of cost only.</summary>
     private const double WayBack = 4;
 
+    /// <summary>Ratio to how far the shape reaches: what a line crosses of it counts as no less. Much more rounds more
+    /// of a distance away; far less begins inside of what is flat. Pinned by RayThinTests.</summary>
+    private const double Thin = 1.0 / 64;
+
     /// <summary>Where a ray leaves a shape: the end of the part of it that is inside. With <c>RayCast</c>, which says
     /// where that part begins, it is the whole of what a solid cuts out of a ray.</summary>
     /// <typeparam name="T">The shape's type.</typeparam>
@@ -88,7 +92,7 @@ public static partial class ConvexQuery
         shape.Support(along, out Double3 last);
         shape.Support(-along, out Double3 first);
         double most = Math.Max(Double3.Dot(last, along), -Double3.Dot(first, along));
-        double reach = Math.Max(most + ray.Foot.Length, last.Length);
+        double reach = Math.Max(most + ray.Foot.Length, Thin * last.Length);
         return Math.Min(reach, shape.BoundingRadius) + shape.Margin;
     }
 

@@ -48,10 +48,11 @@ internal unsafe struct DistanceSolver<TTrace>(
             return;
         }
 
-        double reach = ProvedDistance.CoreReach(_maxDistance, frame);
+        double reach = GjkDistance.CoreReach(_maxDistance, frame);
         if (_warm != null) _warm->Seed(ref a, ref b, frame, ref state);
         else state.Feature.Normal = frame.FirstNormal;
-        ProvedDistance.Solve(ref a, ref b, frame, reach, _warm != null, ref state, ref Trace);
+        GjkDistance.Solve(ref a, ref b, frame, reach, ref state, ref Trace);
+        GjkExtendedPrecision.Settle(ref a, ref b, frame, reach, _warm != null, ref state, ref Trace);
         if (_warm != null) _warm->Save(state);
         SideNormal<TA, TB, TTrace>.Sharpen(ref a, ref b, frame, ref state, ref Trace);
     }

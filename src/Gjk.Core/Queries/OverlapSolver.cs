@@ -66,9 +66,10 @@ internal struct OverlapSolver : IPairSolver<GjkStatus>
         where TB : struct, ISupportMap
     {
         NoTrace trace = default;
-        double reach = ProvedDistance.CoreReach(0, frame);
+        double reach = GjkDistance.CoreReach(0, frame);
         state.Feature.Normal = frame.FirstNormal;
-        ProvedDistance.Solve(ref a, ref b, frame, reach, false, ref state, ref trace);
+        GjkDistance.Solve(ref a, ref b, frame, reach, ref state, ref trace);
+        GjkExtendedPrecision.Settle(ref a, ref b, frame, reach, false, ref state, ref trace);
         SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref trace);
         if (state.Verdict != Verdict.Apart) return;
         double distance = Proofs.DistanceOf(state, frame, 1 / Math.Sqrt(state.Feature.NormalSquared));

@@ -47,7 +47,7 @@ internal static class PairQuery
         else if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
             PairQuery<TA, TB, TSolver, TResult>.SolveCopies(ref a, poseA, ref b, poseB, ref solver, out result);
         else
-            PairQuery<TA, TB, TSolver, TResult>.Solve(ref a, ref a, poseA, ref b, ref b, poseB, ref solver, out result);
+            PairQuery<TA, TB, TSolver, TResult>.SolveAsIs(ref a, poseA, ref b, poseB, ref solver, out result);
     }
 
     /// <summary>A reference to a readonly argument, so that calls on it make no copies; nothing writes through it but a
@@ -113,22 +113,17 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
 #if NET
         UnsafeRef.SkipInit(out TCoreA coreA);
         UnsafeRef.SkipInit(out TCoreB coreB);
-        UnsafeRef.SkipInit(out PairFrame frame);
-        UnsafeRef.SkipInit(out SolverState state);
 #else
 #pragma warning disable CS8500 // These cores hold no references.
         // Mono clears locals one by one, by a call for each large one; this at once.
-        byte* memory = stackalloc byte[sizeof(TCoreA) + sizeof(TCoreB) + sizeof(PairFrame) + sizeof(SolverState)];
+        byte* memory = stackalloc byte[sizeof(TCoreA) + sizeof(TCoreB)];
         ref TCoreA coreA = ref *(TCoreA*)memory;
         ref TCoreB coreB = ref *(TCoreB*)(memory + sizeof(TCoreA));
-        ref PairFrame frame = ref *(PairFrame*)(memory + sizeof(TCoreA) + sizeof(TCoreB));
-        ref SolverState state = ref *(SolverState*)(memory + sizeof(TCoreA) + sizeof(TCoreB) + sizeof(PairFrame));
 #pragma warning restore CS8500
 #endif
         CoreOf.Get(ref a, out coreA);
         CoreOf.Get(ref b, out coreB);
-        Solve(
-            ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref frame, ref state, ref solver, out result);
+        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
         return true;
     }
 
@@ -144,9 +139,17 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
 
     /// <summary>Solves shapes as they are.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static unsafe void Solve(
-        ref TA a, ref TA coreA, in RigidPose poseA, ref TB b, ref TB coreB, in RigidPose poseB, ref TSolver solver,
-        out TResult result)
+    public static void SolveAsIs(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result) =>
+        Solve(ref a, ref a, poseA, ref b, ref b, poseB, ref solver, out result);
+
+    /// <summary>Composes, refuses, solves and finishes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void Solve<TCoreA, TCoreB>(
+        ref TA a, ref TCoreA coreA, in RigidPose poseA, ref TB b, ref TCoreB coreB, in RigidPose poseB,
+        ref TSolver solver, out TResult result)
+        where TCoreA : struct, ISupportMap
+        where TCoreB : struct, ISupportMap
     {
 #if NET
         UnsafeRef.SkipInit(out PairFrame frame);
@@ -156,17 +159,6 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         ref PairFrame frame = ref *(PairFrame*)memory;
         ref SolverState state = ref *(SolverState*)(memory + sizeof(PairFrame));
 #endif
-        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref frame, ref state, ref solver, out result);
-    }
-
-    /// <summary>Composes, refuses, solves and finishes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Solve<TCoreA, TCoreB>(
-        ref TA a, ref TCoreA coreA, in RigidPose poseA, ref TB b, ref TCoreB coreB, in RigidPose poseB,
-        ref PairFrame frame, ref SolverState state, ref TSolver solver, out TResult result)
-        where TCoreA : struct, ISupportMap
-        where TCoreB : struct, ISupportMap
-    {
         if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
             PairFrame.ComposePlaced(
                 ref coreA, poseA, ShapeTraits<TA>.Instance.PlacementOf(ref a), ref coreB, poseB,

@@ -41,6 +41,16 @@ internal static class GjkDistance
         Behind,
     }
 
+    /// <summary>How far apart the cores may be before the query may end early; the bands keep its answer that of the
+    /// full query.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double CoreReach(float maxDistance, in PairFrame frame) =>
+        ShapeReach(maxDistance) / frame.Unit + frame.Margins + GjkTolerances.SeparatedBandCurved * frame.Radius;
+
+    /// <summary>How far apart the shapes may be, in world units.</summary>
+    public static double ShapeReach(float maxDistance) =>
+        Math.Max(maxDistance, 0.0) * (1 + GjkTolerances.FloatBand) + float.Epsilon;
+
     /// <summary>Runs the loop from <c>state.Feature.Normal</c> (cold), or from <c>state.Simplex</c> when that has
     /// vertices (warm).</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]

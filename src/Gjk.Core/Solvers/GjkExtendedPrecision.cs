@@ -13,6 +13,21 @@ namespace Gjk.Core;
 /// </remarks>
 internal static class GjkExtendedPrecision
 {
+    /// <summary>Decides what <see cref="GjkDistance"/> has left open.</summary>
+    /// <remarks>A warm start can hold anything, so a contradiction that was found on the way from it may be its own,
+    /// and the query begins again without it.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Settle<TA, TB, TTrace>(
+        ref TA a, ref TB b, in PairFrame frame, double maxDistance, bool isWarm, ref SolverState state,
+        ref TTrace trace)
+        where TA : struct, ISupportMap
+        where TB : struct, ISupportMap
+        where TTrace : struct, IGjkTrace
+    {
+        if (state.Verdict == Verdict.Undecided || (isWarm && state.Verdict == Verdict.Contradiction))
+            Solve(ref a, ref b, frame, maxDistance, ref state, ref trace);
+    }
+
     /// <summary>Solves from the beginning, in the first direction.</summary>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Solve<TA, TB, TTrace>(

@@ -56,7 +56,7 @@ internal readonly unsafe ref struct WideDistances(
     private readonly ref WarmStart _starts = ref starts;
     private readonly float _maxDistance = maxDistance;
 
-    public double Reach => ProvedDistance.ShapeReach(_maxDistance);
+    public double Reach => GjkDistance.ShapeReach(_maxDistance);
 
     private bool IsCold => Unsafe.IsNullRef(ref _starts);
 
@@ -108,7 +108,7 @@ internal readonly unsafe ref struct WideOverlaps(ref GjkStatus results) : IWideQ
 {
     private readonly ref GjkStatus _results = ref results;
 
-    public double Reach => ProvedDistance.ShapeReach(0);
+    public double Reach => GjkDistance.ShapeReach(0);
 
     /// <summary>Boxes and shapes with margins gain from lanes; all others are as fast alone. Balls that are apart need
     /// no walk (<c>OverlapSolver.AreBallsApart</c>).</summary>

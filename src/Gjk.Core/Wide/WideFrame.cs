@@ -11,8 +11,8 @@ internal static unsafe class WideFrame
     /// lane that only the scalar query can solve is not live.</summary>
     /// <param name="batch">The pairs' shapes and poses.</param>
     /// <param name="index">Four indices of pairs; unused lanes repeat the first.</param>
-    /// <param name="reach">The first term of <see cref="ProvedDistance.CoreReach"/>: <see
-    /// cref="ProvedDistance.ShapeReach"/>.</param>
+    /// <param name="reach">The first term of <see cref="GjkDistance.CoreReach"/>: <see
+    /// cref="GjkDistance.ShapeReach"/>.</param>
     /// <param name="s">The four pairs.</param>
     [MethodImpl(Jit.AtOnce | MethodImplOptions.NoInlining)]
     public static void Begin(in WideBatch batch, int* index, double reach, ref WidePairs s)

@@ -13,15 +13,24 @@ internal static class IntermediateCode
         .Select(f => (OpCode)f.GetValue(null)!).ToDictionary(c => c.Value & 0xFFFF);
 
     /// <summary>The methods that a body takes the address of, for delegates.</summary>
-    public static IEnumerable<EntityHandle> DelegateTargets(byte[] body)
+    public static IEnumerable<EntityHandle> DelegateTargets(byte[] body) =>
+        Operands(body, OpCodes.Ldftn, OpCodes.Ldvirtftn).Select(MetadataTokens.EntityHandle);
+
+    /// <summary>The methods that a method calls.</summary>
+    public static IEnumerable<MethodBase> Calls(MethodBase method) =>
+        Operands(method.GetMethodBody()!.GetILAsByteArray()!, OpCodes.Call, OpCodes.Callvirt).Select(
+            token => method.Module.ResolveMethod(
+                token, method.DeclaringType!.GetGenericArguments(), method.GetGenericArguments())!);
+
+    /// <summary>The tokens behind either of two instructions.</summary>
+    private static IEnumerable<int> Operands(byte[] body, OpCode one, OpCode other)
     {
         for (int at = 0; at < body.Length;)
         {
             int value = body[at++];
             if (value == 0xFE) value = value << 8 | body[at++];
             OpCode code = Codes[value];
-            if (code == OpCodes.Ldftn || code == OpCodes.Ldvirtftn)
-                yield return MetadataTokens.EntityHandle(BitConverter.ToInt32(body, at));
+            if (code == one || code == other) yield return BitConverter.ToInt32(body, at);
             at += code.OperandType switch
             {
                 OperandType.InlineNone => 0,

@@ -137,7 +137,7 @@ public class ToleranceTests
     /// <summary>A distance further than this rounds to a larger float: half a float's spacing, and room.</summary>
     [Fact]
     public void ALargestDistanceIsWidenedByFourRoundingsToFloat() =>
-        Assert.InRange((ProvedDistance.ShapeReach(1) - 1) * (1 << 24), 2, 8);
+        Assert.InRange((GjkDistance.ShapeReach(1) - 1) * (1 << 24), 2, 8);
 
     /// <summary>Three vertices beyond a plane, and a fourth on the other side of the origin: no convex shape has both,
     /// so the tetrahedron proves nothing, however clearly it holds the origin.</summary>

@@ -78,3 +78,33 @@ internal static unsafe class FloatLanes
     public static Floats Dot(Floats ax, Floats ay, Floats az, Floats bx, Floats by, Floats bz) =>
         ax * bx + ay * by + az * bz;
 }
+
+/// <summary>Three vectors' lanes.</summary>
+#if NET
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+#endif
+internal readonly struct Lanes3(Floats x, Floats y, Floats z)
+{
+    public readonly Floats X = x, Y = y, Z = z;
+
+#if NET
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#endif
+    public static Lanes3 operator -(in Lanes3 a, in Lanes3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+
+#if NET
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#endif
+    public static Lanes3 operator +(in Lanes3 a, in Lanes3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+#if NET
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#endif
+    public static Floats Dot(in Lanes3 a, in Lanes3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+
+#if NET
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+#endif
+    public static Lanes3 Cross(in Lanes3 a, in Lanes3 b) =>
+        new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
+}

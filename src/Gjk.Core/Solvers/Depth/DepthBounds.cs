@@ -75,7 +75,8 @@ internal struct DepthBounds(in Double3 normal, double upper, double lower)
             state.Simplex.Clear();
             state.Feature.Normal = -Normal;
             NoTrace untold = default;
-            ProvedDistance.Solve(ref a, ref b, apart, double.PositiveInfinity, false, ref state, ref untold);
+            GjkDistance.Solve(ref a, ref b, apart, double.PositiveInfinity, ref state, ref untold);
+            GjkExtendedPrecision.Settle(ref a, ref b, apart, double.PositiveInfinity, false, ref state, ref untold);
             if (state.Verdict != Verdict.Apart) return Verdict.Contradiction;
             MinkowskiDifference.Retranslate(frame, ref state.Simplex);
         }

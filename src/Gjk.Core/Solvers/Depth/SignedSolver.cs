@@ -54,7 +54,8 @@ internal static class SignedSolver<TA, TB, TTrace>
         state.Iterations = 0;
         Begin(ref a, ref b, frame, warmStart, isWarm, ref state);
         NoTrace untold = default;
-        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
+        GjkDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, ref state, ref untold);
+        GjkExtendedPrecision.Settle(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
         if (state.Verdict != Verdict.Enclosed) return;
         Touch(ref state, across, above);
         if (depth == Verdict.Undecided && above > band) state.Verdict = Verdict.Undecided;
@@ -65,7 +66,8 @@ internal static class SignedSolver<TA, TB, TTrace>
         ref SolverState state, ref TTrace trace)
     {
         NoTrace untold = default;
-        ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
+        GjkDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, ref state, ref untold);
+        GjkExtendedPrecision.Settle(ref a, ref b, frame, double.PositiveInfinity, isWarm, ref state, ref untold);
         if (state.Verdict == Verdict.Enclosed) SolveDepthLast(ref a, ref b, frame, ref state, ref trace);
     }
 

@@ -160,7 +160,8 @@ internal static class AdvancementSolver<TA, TB>
         else
         {
             warmStart.Seed(ref a, ref b, frame, ref state);
-            ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
+            GjkDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, ref state, ref trace);
+            GjkExtendedPrecision.Settle(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
             warmStart.Save(state);
             SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref trace);
         }

@@ -165,7 +165,8 @@ internal static class CastSolver
         state.Plane.NormalSquared = 0;
         if (!frame.ArePoints)
         {
-            ProvedDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
+            GjkDistance.Solve(ref a, ref b, frame, double.PositiveInfinity, ref state, ref trace);
+            GjkExtendedPrecision.Settle(ref a, ref b, frame, double.PositiveInfinity, true, ref state, ref trace);
             return;
         }
 

@@ -30,6 +30,20 @@ public class RayThinTests
         kind, [.. Thin.Take(3), new(1e-9f, 1, 1), new(1, 1e-12f, 1e-5f)], (rng, thin) =>
             RayShapes.Scaled(RayShapes.Make(rng, kind, Vector3.One), thin * rng.Float(0.5, 2)));
 
+    /// <summary>Through its centre a flat hull cuts nothing out of a line that is across it.</summary>
+    [Fact]
+    public void AFlatHullIsLeftAtItsCentre()
+    {
+        ConvexShape hull = ConvexShape.Mesh([new(1, 0, 0), new(0, 0, 0.78f), new(-0.6f, 0, 0), new(0, 0, -0.48f)]);
+        foreach (float y in new[] { 0, 0.5f, 4 })
+        {
+            Vector3 above = (Vector3)hull.Center + new Vector3(0, y, 0);
+            RayCastResult r = ConvexQuery.RayExit(hull, RigidPose.Identity, above, -Vector3.UnitY);
+            Assert.Equal((CastStatus.Hit, y), (r.Status, r.Distance));
+            Assert.Equal(-Vector3.UnitY, r.Normal);
+        }
+    }
+
     /// <summary>Seen from the edge, where the rounding of the foot turns the normal: from some two hundred sizes
     /// away.</summary>
     [Theory]
