@@ -1,6 +1,3 @@
-using Gjk.Bench.Scenes;
-using Gjk.Core;
-
 namespace Gjk.Bench;
 
 /// <summary>Makes sure that what is timed is the first touch. Of a hit, the plane across the normal separates the

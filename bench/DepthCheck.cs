@@ -1,5 +1,3 @@
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 using Gjk.Exact.Certificates;
 
 namespace Gjk.Bench;

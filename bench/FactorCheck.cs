@@ -1,7 +1,5 @@
 using Gjk.Bench.Baseline;
 using Gjk.Bench.Benchmarks;
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 
 namespace Gjk.Bench;
 

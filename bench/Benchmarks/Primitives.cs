@@ -1,6 +1,5 @@
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
-using Gjk.Bench.Scenes;
 
 namespace Gjk.Bench.Benchmarks;
 

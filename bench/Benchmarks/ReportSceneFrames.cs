@@ -1,7 +1,5 @@
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 

@@ -1,6 +1,4 @@
 using BenchmarkDotNet.Attributes;
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 

@@ -1,6 +1,4 @@
 using Gjk.Bench.Baseline;
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 

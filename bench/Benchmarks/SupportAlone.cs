@@ -1,8 +1,6 @@
 using BenchmarkDotNet.Attributes;
 using BenchmarkDotNet.Configs;
 using Gjk.Bench.Baseline;
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 
 namespace Gjk.Bench.Benchmarks;
 

@@ -1,6 +1,3 @@
-using Gjk.Bench.Scenes;
-using Gjk.Core;
-
 namespace Gjk.Bench.Peers;
 
 /// <summary>Pairs in the binary form that <c>peers/peer.hpp</c> reads: little-endian integers and floats.</summary>

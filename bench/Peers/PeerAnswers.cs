@@ -1,6 +1,4 @@
 using System.Text;
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 using Gjk.Exact.Cases;
 
 namespace Gjk.Bench.Peers;

@@ -1,7 +1,5 @@
 using Gjk.Bench.Benchmarks;
-using Gjk.Bench.Scenes;
 using Gjk.Bench.Table;
-using Gjk.Core;
 
 namespace Gjk.Bench.Peers;
 

@@ -1,6 +1,3 @@
-using Gjk.Bench.Scenes;
-using Gjk.Core;
-
 namespace Gjk.Bench.Scale;
 
 /// <summary>Measures the frames of a room of cubes.</summary>

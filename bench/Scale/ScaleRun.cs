@@ -1,6 +1,3 @@
-using Gjk.Bench.Scenes;
-using Gjk.Core;
-
 namespace Gjk.Bench.Scale;
 
 /// <summary>Measures how the time of a frame grows with the number of objects. It measures every broad phase, at rest

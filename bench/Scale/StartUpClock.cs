@@ -1,6 +1,3 @@
-using Gjk.Bench.Scenes;
-using Gjk.Core;
-
 namespace Gjk.Bench.Scale;
 
 /// <summary>Measures the first frames of a program: moving cubes, all pairs within a distance. The runtime compiles a

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Two turned bodies, A at the origin, and where B begins and ends. No query is needed to know whether they

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Pairs of which the second object moves, in a straight line and without turning.</summary>

@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Exact.Meshes;
 
 namespace Gjk.Bench.Scenes;

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>A shape with a point inside it, and the triangles of its surface if it has any.</summary>

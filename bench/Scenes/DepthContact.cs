@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Two turned bodies and a point of each, from where the body is and in the world's axes. The bodies are put

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Draws the pairs of <see cref="DepthPairs"/>. Every method gets what is drawn once for a set, and returns

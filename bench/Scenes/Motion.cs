@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Poses of a scene over a few frames. They run forward and backward, so that they never end. In each frame

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Random pairs of primitives. Every measurement of the generic path uses them.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Bench.Scenes;
 
 /// <summary>Poses of overlapping pairs over a few frames, forward and backward without end. In each frame the second

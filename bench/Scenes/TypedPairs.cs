@@ -1,5 +1,4 @@
 using Gjk.Bench.Baseline;
-using Gjk.Core;
 
 namespace Gjk.Bench.Scenes;
 

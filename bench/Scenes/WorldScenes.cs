@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Exact.Scenes;
 
 namespace Gjk.Bench.Scenes;

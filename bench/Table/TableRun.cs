@@ -1,5 +1,3 @@
-using Gjk.Bench.Scenes;
-
 namespace Gjk.Bench.Table;
 
 /// <summary>Measures every figure of the table in one process. Library and baseline run in turn, so that their factor

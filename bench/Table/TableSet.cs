@@ -1,6 +1,4 @@
 using Gjk.Bench.Benchmarks;
-using Gjk.Bench.Scenes;
-using Gjk.Core;
 
 namespace Gjk.Bench.Table;
 

@@ -1,6 +1,3 @@
-using Gjk.Bench.Scenes;
-using Gjk.Core;
-
 namespace Gjk.Bench.Runtimes;
 
 /// <summary>Boxes of size 1 that turn and tremble in a crowded room; a frame moves all of them and finds the pairs that

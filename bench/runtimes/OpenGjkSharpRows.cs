@@ -1,6 +1,4 @@
-using Gjk.Bench.Scenes;
 using Gjk.Bench.Table;
-using Gjk.Core;
 using OpenGJKSharp;
 using OpenGJKSharp.Models;
 

@@ -1,7 +1,6 @@
 using System.Reflection;
 using System.Runtime.Versioning;
 using Gjk.Bench.Table;
-using Gjk.Core;
 
 namespace Gjk.Bench.Runtimes;
 

@@ -1,4 +1,3 @@
-using Gjk.Demo.Output;
 using Gjk.Import;
 
 namespace Gjk.Demo;

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>A mesh of a file. No two of its vertices are the same. Immutable.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>The shape of an object in its own frame, in numbers. Immutable.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>Collects the objects and meshes of the scene that is written. Objects that show the same mesh share it.

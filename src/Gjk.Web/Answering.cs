@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Web;
 
 /// <summary>Answers the pairs that a page asks about, as the demo's <c>query</c> and <c>cast</c> do.</summary>

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Web;
 
 /// <summary>The shapes that a page has made, its bodies, and the pairs that it asks about. Their numbers lie in pinned

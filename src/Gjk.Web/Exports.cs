@@ -1,7 +1,5 @@
-using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.InteropServices.JavaScript;
-using Gjk.Core;
 using Gjk.Core.Diagnostics;
 using Gjk.Demo.View;
 

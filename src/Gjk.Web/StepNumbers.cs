@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Core.Diagnostics;
 
 namespace Gjk.Web;

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests;
 
 /// <summary><c>query --record</c>: one query as text, answered like a scene of two objects.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests;
 
 /// <summary>Arguments. Help ends successfully. Every wrong argument gives one line and exit code 2.</summary>

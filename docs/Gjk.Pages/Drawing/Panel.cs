@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>A part of a picture, drawn in the coordinates of the plane: x to the right, y up.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Gjk.Pages;
 
 /// <summary>The figures of the book, in its order, and those of the results.</summary>

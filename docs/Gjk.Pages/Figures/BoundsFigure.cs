@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>How the two bounds of the distance meet.</summary>

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>A shape with a notch: its hull fills it, its parts do not.</summary>

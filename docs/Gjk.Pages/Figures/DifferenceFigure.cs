@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>All differences of corners, and the few that a query asks for.</summary>

@@ -1,5 +1,3 @@
-using System.Linq;
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Pages;

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>A vertex that the nearest feature does not need leaves the simplex.</summary>

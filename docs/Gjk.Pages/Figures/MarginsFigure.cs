@@ -1,4 +1,3 @@
-using System.Numerics;
 using Gjk.Core;
 
 namespace Gjk.Pages;

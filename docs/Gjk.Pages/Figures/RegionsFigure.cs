@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>The Voronoi regions of a triangle, and those in which the origin cannot be.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Pages;
 
 /// <summary>How times of bench/results grow with the number of corners, and of objects.</summary>

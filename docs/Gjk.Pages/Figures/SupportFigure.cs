@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>One support on each shape makes one of A - B.</summary>

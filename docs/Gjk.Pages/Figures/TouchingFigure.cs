@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>Two squares that share an edge: the origin on the boundary of A - B.</summary>

@@ -1,6 +1,3 @@
-using System.Linq;
-using System.Numerics;
-
 namespace Gjk.Pages;
 
 /// <summary>The same weights on the simplex, on A and on B.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Pages;
 
 /// <summary>How many of the hard pairs each engine gets wrong.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Pages;
 
 /// <summary>How long a query takes, beside the best engine of those that were measured elsewhere.</summary>

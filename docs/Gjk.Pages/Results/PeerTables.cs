@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Pages;
 
 /// <summary>Engines that took turns with the library on one machine.</summary>

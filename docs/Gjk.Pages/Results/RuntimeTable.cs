@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Gjk.Pages;
 
 /// <summary>The library where Unity runs and where it goes: Mono, .NET, and the netstandard2.1 build on .NET.</summary>

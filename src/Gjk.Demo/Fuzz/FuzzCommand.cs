@@ -1,4 +1,3 @@
-using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Promises;

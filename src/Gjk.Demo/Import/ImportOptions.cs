@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Gjk.Demo.Output;
 using Gjk.Import;
 
 namespace Gjk.Demo.Import;

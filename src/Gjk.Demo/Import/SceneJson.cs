@@ -1,7 +1,5 @@
-using System.Numerics;
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using Gjk.Core;
 using Gjk.Import;
 
 namespace Gjk.Demo.Import;

@@ -1,5 +1,3 @@
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.Judge;
 
 /// <summary>A file of CSV (RFC 4180, without line breaks in fields) with a heading. What is refused is named by file,

@@ -1,7 +1,5 @@
 using System.CommandLine;
-using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Judge;
 

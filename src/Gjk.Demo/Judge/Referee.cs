@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Judge;
 
 /// <summary>What can be wrong with an answer, in the order in which it is looked for.</summary>

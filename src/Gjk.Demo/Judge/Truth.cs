@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Judge;
 
 /// <summary>What the answers of a file are.</summary>

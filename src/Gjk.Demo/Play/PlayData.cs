@@ -1,6 +1,4 @@
 using System.Text.Json;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Play;

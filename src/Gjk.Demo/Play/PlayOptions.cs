@@ -1,8 +1,5 @@
 using System.CommandLine;
-using System.Numerics;
 using Gjk.Demo.Import;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 using Gjk.Import;
 

@@ -1,5 +1,4 @@
 using System.Security.Cryptography;
-using Gjk.Demo.Output;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Play;

@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Queries;
 
 /// <summary>Casts every pair of a scene: its objects move by their velocities over one frame, and turn where they have

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Queries;
 
 /// <summary>Writes the contact points of every pair of a scene, in the poses of its first frame, as CSV.</summary>

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Queries;
 
 /// <summary>Writes results as CSV, row by row, through one buffer of fixed size. Floats have enough digits to give the

@@ -1,6 +1,3 @@
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Queries;
 
 /// <summary>The names of a scene's objects, in the form of the CSV. An object without a name has an empty

@@ -1,6 +1,4 @@
 using System.CommandLine;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Queries;

@@ -1,6 +1,3 @@
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Queries;
 
 /// <summary>Writes a row of CSV for every pair of a scene.</summary>

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Queries;
 
 /// <summary>Computes the distance, or the signed distance, of every pair of a scene in the poses of its first frame,

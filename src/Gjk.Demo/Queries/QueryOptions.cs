@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Queries;
 

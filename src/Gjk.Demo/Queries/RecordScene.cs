@@ -1,7 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Queries;
 
 /// <summary>Reads one query in the text form of the library's <see cref="QueryRecord"/> as a scene of two

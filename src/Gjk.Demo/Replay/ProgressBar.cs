@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Gjk.Demo.Output;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;

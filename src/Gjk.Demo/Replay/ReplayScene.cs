@@ -1,7 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Replay;
 
 /// <summary>A scene to replay: one of the report's, or one of the user's.</summary>

@@ -1,4 +1,3 @@
-using Gjk.Demo.Output;
 using Spectre.Console;
 
 namespace Gjk.Demo.Replay;

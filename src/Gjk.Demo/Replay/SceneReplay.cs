@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Gjk.Core;
 using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Replay;

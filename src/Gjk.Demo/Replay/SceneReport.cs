@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Replay;
 
 /// <summary>The result of replaying one scene: the answers, which are the same in every frame, and the times.</summary>

@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Replay;

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Runtime.InteropServices;
-using Gjk.Core;
 
 namespace Gjk.Demo.Replay;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Replay;
 
 /// <summary>The result of replaying a world. Counts and hash are those of the first frames, times are those of all

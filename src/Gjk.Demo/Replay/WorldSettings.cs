@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Replay;
 
 /// <summary>How a whole scene is replayed.</summary>

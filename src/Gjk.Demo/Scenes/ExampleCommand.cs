@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Reflection;
-using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Scenes;
 

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Scenes;
 
 /// <summary>An object as it was read. Its mesh is still a name, because "meshes" may come after "objects".</summary>

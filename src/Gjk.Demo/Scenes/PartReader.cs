@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Scenes;
 
 /// <summary>A child of a compound as it was read: a shape in its place.</summary>

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Scenes;
 
 /// <summary>The input of the commands: objects in their places, and the pairs to query. Everything in it has been

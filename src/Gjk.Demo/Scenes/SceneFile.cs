@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.Scenes;
 
 /// <summary>Reads a scene's JSON, version 1. It refuses everything that is not exactly right, and names the file, the

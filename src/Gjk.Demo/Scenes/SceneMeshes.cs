@@ -1,5 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
 using Gjk.Demo.Replay;
 
 namespace Gjk.Demo.Scenes;

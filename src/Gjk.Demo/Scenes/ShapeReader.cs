@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Scenes;
 
 /// <summary>Reads the "shape" of an object. Its fields may come in any order, and "type" may be the last one. So all

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Gjk.Demo.Output;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Fit;
 

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using Gjk.Demo.Output;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Plan;
 using Gjk.Demo.Study.Saves;

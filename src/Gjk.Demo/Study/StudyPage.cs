@@ -1,8 +1,5 @@
 using System.CommandLine;
-using System.Numerics;
 using System.Text.Json;
-using Gjk.Core;
-using Gjk.Demo.Output;
 using Gjk.Demo.Play;
 using Gjk.Demo.Study.Plan;
 using Gjk.Demo.View;

@@ -1,4 +1,3 @@
-using Gjk.Demo.Output;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Fit;
 

@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Timing;
 
 /// <summary>The loops of <see cref="PairLoop"/> for a scene with surfaces or compounds. Such queries keep no starts and

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Timing;
 
 /// <summary>Pseudo-random unit vectors. The sequence is the same in every run.</summary>

@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Timing;
 
 /// <summary>A scene prepared for measuring. Shapes, poses and pairs are in arrays, and one method per verb goes through

@@ -1,5 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Timing;

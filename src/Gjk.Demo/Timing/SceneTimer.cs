@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Timing;
 
 /// <summary>Times the verbs on one scene.</summary>

@@ -1,6 +1,4 @@
 using System.CommandLine;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Timing;
 

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>How deep two objects overlap, and how the query found it.</summary>

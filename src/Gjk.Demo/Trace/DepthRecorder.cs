@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>Keeps how the surface grows in the search for a depth. Of each surface only the difference to the one

@@ -1,5 +1,3 @@
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>Finds the two objects that the user names, by their indices or their names. A name may contain a comma, so

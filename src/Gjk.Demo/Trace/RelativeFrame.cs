@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>The pose of B seen from A, in double. This is the frame in which the solver works and the page

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Gjk.Core;
 
 namespace Gjk.Demo.Trace;
 

@@ -1,7 +1,4 @@
 using System.CommandLine;
-using Gjk.Core;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Trace;

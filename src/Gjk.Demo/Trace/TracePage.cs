@@ -1,6 +1,4 @@
 using System.Text.Json;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.View;
 using static Gjk.Demo.Trace.TraceJson;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>Keeps everything that a query reports, step by step.</summary>

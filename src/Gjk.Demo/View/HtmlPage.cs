@@ -1,5 +1,3 @@
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.View;
 
 /// <summary>Writes one self-contained file. It puts the page's frame, style and script, which are embedded in the demo,

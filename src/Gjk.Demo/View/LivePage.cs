@@ -1,5 +1,4 @@
 using Gjk.Demo.Play;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 

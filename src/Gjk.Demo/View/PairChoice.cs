@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>Chooses the pairs that a page shows. These are all pairs, unless a browser could not sort and draw that

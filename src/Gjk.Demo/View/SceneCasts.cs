@@ -1,7 +1,4 @@
-using System.Numerics;
 using System.Runtime.InteropServices;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 

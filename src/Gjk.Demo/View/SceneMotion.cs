@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The poses of a scene's objects in each frame. From the given poses, objects move and turn at constant

@@ -1,7 +1,5 @@
-using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Text.Json;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 

@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The poses and all answers of a scene, frame by frame. Each column is an array, as the page needs

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The surface of a shape for drawing, in its own frame with its scale. A mesh is drawn as its hull, and as

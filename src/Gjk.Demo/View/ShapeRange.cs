@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>Checks that the corners of the shapes are floats. The queries themselves also answer for larger shapes, but

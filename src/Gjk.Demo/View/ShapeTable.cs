@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The distinct shapes of a scene. Each is triangulated once.</summary>

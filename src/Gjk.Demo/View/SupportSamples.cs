@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>Support points of a shape, distributed so that their hull looks like the shape.</summary>

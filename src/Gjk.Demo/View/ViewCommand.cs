@@ -1,6 +1,4 @@
-using Gjk.Demo.Output;
 using Gjk.Demo.Replay;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.View;
 

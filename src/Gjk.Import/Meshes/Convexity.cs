@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>Says when a part is not what its hull is. A scene's mesh is the hull of its vertices, so a concave part

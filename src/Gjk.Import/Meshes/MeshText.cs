@@ -1,5 +1,4 @@
 using System.Text;
-using Gjk.Core;
 
 namespace Gjk.Import;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>The corners of a polygon as a ring, seen along the coordinate axis in which the polygon is largest, so that

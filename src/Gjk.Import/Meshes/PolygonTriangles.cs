@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>What is odd about a polygon. Its triangles have its area and winding all the same.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>A linear map with a shift, in double: the images of the three axes, and of the origin.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>Tells a scale along the axes from a skew, and places the smooth shapes under either.</summary>

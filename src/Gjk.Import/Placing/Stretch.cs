@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>A linear map as a rotation, a scale along the axes and another rotation: map = After * diag(Factors) *

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>A rotation as a quaternion in double, so that a product along a hierarchy loses nothing.</summary>

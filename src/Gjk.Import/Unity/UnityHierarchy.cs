@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>Where an object is.</summary>

@@ -1,5 +1,4 @@
 using System.Linq;
-using Gjk.Core;
 
 namespace Gjk.Import;
 

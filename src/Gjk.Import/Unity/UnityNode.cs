@@ -1,4 +1,3 @@
-using Gjk.Core;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Import;
 
 /// <summary>Makes shapes of colliders and meshes as Unity's physics does. Boxes, spheres and capsules follow the scale

@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Gjk.Core.Tests.Support;
 using Xunit.Abstractions;
 
 namespace Gjk.Core.Tests.Api;

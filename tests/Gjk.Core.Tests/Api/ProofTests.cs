@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Reflection;
 using System.Text.RegularExpressions;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Api;
 

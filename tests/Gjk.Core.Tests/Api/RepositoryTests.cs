@@ -1,6 +1,5 @@
 using System.Runtime.Versioning;
 using System.Text.RegularExpressions;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Api;
 

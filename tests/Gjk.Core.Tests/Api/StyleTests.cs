@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Api;
 

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Arithmetic;
 
 /// <summary>Sums and products of two doubles are exact, and each operation is as accurate as it says.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Arithmetic;
 
 /// <summary>The sign of a sum is that of the sum in integers, however much of it cancels.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Arithmetic;
 
 /// <summary>Powers of two, and choices by a sign.</summary>

@@ -1,5 +1,4 @@
 using System.Threading;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Batch;
 

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Batch;
 
 /// <summary>Batches of concave pairs, warm and cold, on one thread or many, are single queries.</summary>

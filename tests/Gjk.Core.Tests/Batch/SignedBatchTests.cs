@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Batch;
 
 /// <summary>The batch of signed distances: the bits of the single query, on any number of threads.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>Every broad phase gives exactly the pairs whose boxes overlap, sorted, whatever was added, moved and

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>The order in which a tree is built: all objects are in it, by size, and every part of it can be

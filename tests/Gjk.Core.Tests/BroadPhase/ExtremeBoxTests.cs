@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>Boxes with sides from 1e-38 to the largest float, beside each other: every broad phase finds the pairs, the

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>Lists of packed pairs, against lists of pairs in the hands of LINQ.</summary>

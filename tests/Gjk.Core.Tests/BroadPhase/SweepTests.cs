@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>Every broad phase shows exactly the boxes that a path meets, each once, and none that is out of the

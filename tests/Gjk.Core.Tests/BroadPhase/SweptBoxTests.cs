@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>The slab test misses no box that the path touches and is never late, judged in exact arithmetic; and it

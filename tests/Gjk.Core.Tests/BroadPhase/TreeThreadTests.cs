@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>The tree's pairs are those of the boxes, however many threads move its leaves and look them up.</summary>

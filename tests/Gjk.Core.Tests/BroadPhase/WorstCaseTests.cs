@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.BroadPhase;
 
 /// <summary>What boxes of any arrangement cost the tree, counted in nodes and kept pairs, so that no clock is needed.

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Cases;
 

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Cases;
 
 /// <summary>Casts whose outcomes, fractions and normals are proved.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Cases;
 
 /// <summary>The signed distance of the hard pairs: every depth exact to float rounding, every way out certified, and

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Cases;
 
 /// <summary>The oracle is held to the case files, whose answers were computed by other means, before anything is held
@@ -104,7 +102,7 @@ public class OracleTests
         Assert.True(small.Length > 5);
         foreach (HardCase c in small)
         {
-            double depth = Depth.Of(c.Pair);
+            double depth = CloudDepth.Of(c.Pair);
             Assert.True(
                 Math.Abs(depth - c.Depth) <= 1e-14 * c.Pair.Scale, $"{c.Pair.Name}: {depth:R}, file {c.Depth:R}");
         }

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Every answer is, to the last bit, the least that single queries say of all pairs of parts.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Distances, bounds, points and the names of the parts are the same on every target, so lanes and scalars

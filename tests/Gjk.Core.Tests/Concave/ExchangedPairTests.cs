@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>The contacts of (B, A) are those of (A, B), exchanged, to the last bit, of shapes of every kind.</summary>

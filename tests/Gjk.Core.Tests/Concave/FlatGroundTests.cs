@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Over a flat ground only the ground's face is near, however its parts are cut: what lies on it is lifted

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Flat floors at height 0, from 0 to 3 along x and z, made in the ways in which editors and exporters make

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Grids of heights and moved vertices are the meshes of their triangles, to the last bit.</summary>

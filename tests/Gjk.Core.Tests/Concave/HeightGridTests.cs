@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Holes, bases and both axes of height fields: the triangles are the ones that were promised.</summary>

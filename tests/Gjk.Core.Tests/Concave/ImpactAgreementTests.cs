@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>The tolerance of a time of impact is an accuracy, and the same one whatever a body is made of: a box, its

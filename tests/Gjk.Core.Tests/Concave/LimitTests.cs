@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Limits of 0, the least float, huge ones and infinity are limits like others, for shapes of every size: two

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Bodies that turn are moved on where no parts can touch; the answer is that of all pairs of parts.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Parallel plates have as many nearest pairs as triangles; planes drop them without a query of

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Back faces and hollow shapes, in every verb for rays: closed forms by hand, all triangles asked in turn,

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Solid meshes rest, slide and tip on a plain solver as the convex bodies do that they are the surfaces

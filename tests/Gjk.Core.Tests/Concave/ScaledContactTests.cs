@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Contacts have no length of their own: bodies scaled by a power of two have the scaled contacts.</summary>

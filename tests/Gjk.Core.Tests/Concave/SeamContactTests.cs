@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>Bodies that slide over surfaces feel what the surface is, not how it is cut into triangles.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>A body that begins inside a surface, a compound or a solid gets the deepest part, and of a solid the way

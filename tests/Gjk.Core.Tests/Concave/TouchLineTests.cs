@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>A level wheel on a flat floor touches it along its line, however the floor is cut, and at all of that. At

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>What float says of triangles: bounds hold, and leave little to the exact query.</summary>

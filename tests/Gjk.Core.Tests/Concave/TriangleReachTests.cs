@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>What double is certain of is what the exact query says of a triangle and a point, however thin the triangle

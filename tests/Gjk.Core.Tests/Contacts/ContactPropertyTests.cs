@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Contacts;
 
 /// <summary>What holds of the contacts of any pair, and while a body moves.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 using static Gjk.Core.Tests.Support.Resting;
 
 namespace Gjk.Core.Tests.Contacts;

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Contacts;
 
 /// <summary>Five seconds of equal bodies that stand on each other, on a plain solver that begins each frame with what

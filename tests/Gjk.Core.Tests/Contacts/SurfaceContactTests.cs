@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Contacts;
 
 /// <summary>Points lie on both surfaces, with nothing of either body in front of them: of meshes that are scaled

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Contacts;
 
 /// <summary>A shape of one's own with faces, right and wrong.</summary>

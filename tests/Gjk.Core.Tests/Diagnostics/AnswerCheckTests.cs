@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Diagnostics;
 
 /// <summary>Right answers: none is refuted, nearly all are proved, and what is proved holds the truth.

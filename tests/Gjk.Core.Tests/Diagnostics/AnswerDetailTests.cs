@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Diagnostics;
 
 /// <summary>Wrong answers that are nearly hidden by the rounding of another part of them.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Diagnostics;
 
 /// <summary>Wrong answers: whatever is changed in a right one, by a little more than the tolerance, is

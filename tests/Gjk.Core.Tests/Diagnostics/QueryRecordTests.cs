@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Diagnostics;
 
 /// <summary>A query as one line of text comes back to the last bit, and what is no record is refused with a message

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Geometry;
 
 /// <summary>Boxes on a small lattice, where every way of touching occurs.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Geometry;
 
 /// <summary>Directions of any length, brought to unit size without rounding.</summary>

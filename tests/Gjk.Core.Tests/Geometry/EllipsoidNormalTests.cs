@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Geometry;
 
 /// <summary>The nearest point of an ellipsoid has the normal that is asked for: from it the given point lies along the

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Geometry;
 
 /// <summary>Poses after each other, undone, and read from matrices.</summary>

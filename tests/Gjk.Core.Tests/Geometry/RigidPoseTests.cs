@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Geometry;
 
 /// <summary>What a pose accepts, and where it puts a point.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Hulls;
 
 /// <summary>What of a hull's surface counts as one face.</summary>

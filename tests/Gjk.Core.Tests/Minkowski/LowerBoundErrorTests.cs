@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Minkowski;
 
 /// <summary>What rounding does to a lower bound: GjkTolerances.LowerBoundError is no sum of worst cases, so the worst

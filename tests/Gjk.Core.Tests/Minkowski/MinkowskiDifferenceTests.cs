@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Minkowski;
 
 /// <summary>Supports of the difference of two clouds, against all its vertices in integers.</summary>

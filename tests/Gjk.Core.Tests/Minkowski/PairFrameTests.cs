@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Minkowski;
 
 /// <summary>The relative pose of a pair, against its composition in fractions.</summary>

@@ -1,6 +1,5 @@
 using FsCheck;
 using FsCheck.Fluent;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>A query allocates nothing, whatever the shapes and the answer.</summary>

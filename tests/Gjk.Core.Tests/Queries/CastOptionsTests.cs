@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Motions that do not go deeper than is allowed pass; all others are stopped where they touch.</summary>

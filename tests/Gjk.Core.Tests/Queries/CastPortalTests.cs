@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Casts of polytopes against all half-spaces of their difference: the entry is the last that is
@@ -144,7 +142,7 @@ public class CastPortalTests
     private static bool Check(TestPair pair, Vector3 motion)
     {
         CastResult r = Cast(pair, motion);
-        (double entry, double exit, Double3 normal) = Depth.Along(pair, motion);
+        (double entry, double exit, Double3 normal) = CloudDepth.Along(pair, motion);
         double speed = motion.Length(), graze = 1e-9 * pair.Scale / speed, way = Math.Max(entry, 0) * speed;
         string what = $"{pair} along {TestShape.T(motion)}: {r}, truly {entry:R} to {exit:R}";
         if (Math.Abs(exit - entry) < graze || Math.Abs(entry - 1) < graze || Math.Abs(entry) < graze) return r.IsHit;

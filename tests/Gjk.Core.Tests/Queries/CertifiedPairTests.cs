@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Random pairs of every kind of shape, certified without a reference; consistency and symmetry on the same

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Distances that a formula gives, in double and without the library.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Round shapes about one axis, or nearly: a pin in its hole, a point on the axis of a cone, two equal

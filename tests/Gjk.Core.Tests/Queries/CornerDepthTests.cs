@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>A corner on the axis of a round body, or in the middle of one that is nearly a ball: many ways out are

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Depths of small bodies well inside a cylinder: out along its axis or across it.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>The simplex that a query hands out: weights that are weights, ids that name its points, sums that are the

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>A bounding radius only rejects pairs early: however generous it is, the answers are those of a tight

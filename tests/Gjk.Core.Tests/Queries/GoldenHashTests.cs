@@ -1,5 +1,4 @@
 using Gjk.Core.Tests.Api;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 

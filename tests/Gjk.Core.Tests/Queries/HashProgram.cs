@@ -1,5 +1,4 @@
 using System.Runtime.Intrinsics;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 

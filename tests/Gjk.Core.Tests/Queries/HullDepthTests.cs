@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Round hulls about one centre have thousands of ways out that are nearly equally long, more than the general

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Bodies of revolution whose axes lean against each other by up to a fiftieth: the shortest way out lies in a

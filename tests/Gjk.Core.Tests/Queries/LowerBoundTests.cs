@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Contract 6: the lower bound never exceeds the true distance, and is as near it as the distance is promised

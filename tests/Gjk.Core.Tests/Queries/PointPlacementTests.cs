@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Each shape's point is its local point in the world, to float rounding of what is that shape's own; and the

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Reflection;
 using Gjk.Core.Tests.Api;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Queries;
 

@@ -1,6 +1,5 @@
 using System.Runtime.Intrinsics;
 using System.Threading.Tasks;
-using Gjk.Core.Tests.Support;
 using Gjk.Exact.Cases;
 
 namespace Gjk.Core.Tests.Queries;

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>The signed distance of random pairs: certified, no direction cheaper, as deep as a search over all facets
@@ -19,7 +17,7 @@ public class SignedDistanceTests
             double margins = pair.A.Margin + pair.B.Margin;
             bool coresOverlap = r.Distance < -margins * (1 + 1e-6) - 1e-6 && pair.A.Vertices!.Length > 3;
             if (!coresOverlap) continue;
-            double truth = Depth.Of(pair) + margins;
+            double truth = CloudDepth.Of(pair) + margins;
             Assert.True(
                 Math.Abs(r.Distance + truth) <= 1.2e-7 * truth + 1e-12, $"{r.Distance:R}, depth {truth:R}: {pair}");
         }

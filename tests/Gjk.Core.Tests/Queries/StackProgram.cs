@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Does everything that the library does for a caller on threads with little stack, and measures how much it

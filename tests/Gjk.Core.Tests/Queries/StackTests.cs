@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Contract 15: no call takes more than 64 kilobytes of stack, and all that the library does can be done on a

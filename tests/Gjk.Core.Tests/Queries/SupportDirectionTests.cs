@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>A user's support is asked in directions that are finite and not zero, as <see cref="ISupportMap"/>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Shapes with a margin that are scaled unevenly and stay bodies of revolution: a capsule that is made

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Times of impact at the ends of what can be asked: bad input, no size, more turns than steps.</summary>

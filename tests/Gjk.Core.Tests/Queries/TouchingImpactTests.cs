@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Times of impact of bodies that turn and touch or overlap at the start: contacts that get deeper count from

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Shapes that only touch at the start are a hit at 0 if the motion goes in, and a miss if it slides or
@@ -62,7 +60,7 @@ public class TouchingStartTests
             TestPair p = TouchingPairs.Make((ulong)i);
             Vector3 motion = TouchingPairs.Motion(new Rng((ulong)(4000 + i)));
             if (!HasInside(p)) continue;
-            bool isIn = Depth.Rate(p, motion, 1e-9) < -1e-9;
+            bool isIn = CloudDepth.Rate(p, motion, 1e-9) < -1e-9;
             CastResult r = ConvexQuery.Cast(p.A.Shape, p.PoseA, default, p.B.Shape, p.PoseB, motion);
             CastResult swapped = ConvexQuery.Cast(p.B.Shape, p.PoseB, motion, p.A.Shape, p.PoseA, default);
             CastStatus truth = isIn ? CastStatus.Hit : CastStatus.Miss;

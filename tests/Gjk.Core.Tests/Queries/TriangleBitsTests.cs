@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Triangles are asked as cores of their own, where the target has them. Scaled by 1 they are no such core and

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>A shape of one's own, right and wrong.</summary>

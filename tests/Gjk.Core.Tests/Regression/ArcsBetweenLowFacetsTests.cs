@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Across an edge a hull is higher than across the facets on both its sides. A walk along the arc between them

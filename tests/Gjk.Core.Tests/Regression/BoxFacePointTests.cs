@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Boxes whose faces are level and share a part only. A thin box's shortest side counted as level, and what

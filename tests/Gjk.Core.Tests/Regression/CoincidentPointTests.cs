@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Two meshes of one point each, turned by right angles onto the same point of the world, were 6e-33 apart:

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A flat cone about the centre of a ball left it along a normal that was shorter than 1, and with a depth of

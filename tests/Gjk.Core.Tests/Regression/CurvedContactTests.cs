@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A cylinder that reaches into another shape by some 1e-12 of its size was overlapping for Overlaps and apart

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Corners at every scale, as on a spiral that shrinks geometrically: a support towards the small ones looked

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A tree that grew by a few objects at a time was as deep as it had leaves where surfaces say nothing: points

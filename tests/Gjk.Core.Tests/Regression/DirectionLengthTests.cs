@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>"A direction of any length": a cylinder and a cone gave their axis towards 1e-170, an ellipsoid its centre

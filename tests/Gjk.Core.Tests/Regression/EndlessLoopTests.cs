@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Muratori's boolean step, trusted on rounded numbers, went to and fro between two faces of a tetrahedron for

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>1e5 from the world's origin distances were wrong by more than the gap, because world coordinates were

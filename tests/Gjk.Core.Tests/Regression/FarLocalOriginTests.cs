@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>The support of a shape far from its local origin compared dot products of absolute coordinates, whose

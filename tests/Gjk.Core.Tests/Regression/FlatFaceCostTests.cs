@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A support towards a flat face with 10^4 corners compared all of them. Counted in vertices and boxes looked

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Two equal segments that cross at a tiny angle have a difference that is flat, and a needle. The normal of a

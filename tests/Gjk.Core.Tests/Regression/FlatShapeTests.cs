@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Flat and straight shapes gave NaN or no answer, because the barycentric weights of a simplex without area

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A large mesh gave wrong vertices towards directions shorter than 1e-307, and any mesh towards some longer

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Up to 7 % of the pairs of hulls ended at the iteration cap, without an answer, because the loop waited for

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Unit cubes on a lattice of a quarter unit, 11 places along each axis: 41 of the 1,331 overlaps were missed,

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>An apex or a pole on the middle of a disc that leans by 5e-6 to 2e-4: the shortest way out is across the

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Round hulls about one centre with corners that are level in many ways: poles, symmetric rings, copies of a

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>The support of a long helix missed its last corner in a patch of directions: a cell without a list gave its

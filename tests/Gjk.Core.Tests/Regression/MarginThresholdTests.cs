@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>With margins, Overlaps compared heights and Distance compared lengths, and where the radii add up to the

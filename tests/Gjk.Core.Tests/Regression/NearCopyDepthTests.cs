@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A shape in a copy of itself that is turned by a few last places: the facets of the two lie beside each

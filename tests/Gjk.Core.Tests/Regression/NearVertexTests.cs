@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Two vertices 5.7e-8 apart were called overlapping: the walk met a tetrahedron so flat that the rounded

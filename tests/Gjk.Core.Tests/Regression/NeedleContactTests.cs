@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A point inside four corners nearly on a line: the flag was right, but the common point lay 1.3e-7 of the

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>The deepest points of a large ball and a mesh that is a needle but for rounding: depth, normal and the

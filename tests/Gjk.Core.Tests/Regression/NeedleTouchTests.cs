@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Two triangles all but equal, 9e-10 apart, were called touching from a warm start: the remembered simplex

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A mesh of size 1 whose vertices lie 1e4 from its own origin, as exported levels have them, lost four digits

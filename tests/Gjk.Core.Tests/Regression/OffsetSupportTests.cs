@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>The support of a mesh far from its local origin compared dot products of absolute coordinates: it was wrong

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Shapes with parallel faces a small gap apart were called overlapping: v, the difference of two nearly equal

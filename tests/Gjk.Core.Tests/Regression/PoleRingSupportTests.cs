@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A sphere made with sine and cosine has a ring 1e-16 wide at its pole. The climb of the look-up stopped

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A ray through an edge or a corner that triangles share goes through a surface nowhere.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Curved shapes in exact contact touched in a cold query and were apart in the warm one that followed, so a

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Absolute epsilons made small shapes overlap at a distance and large ones miss contact. Every tolerance is a

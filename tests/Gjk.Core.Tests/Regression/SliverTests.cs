@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Two nearly parallel segments, or a nearly straight triangle and a point, make a Minkowski difference so

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Rays that are flat to an edge of a triangle, or pass its corner, hit it from up to a thousand times as far

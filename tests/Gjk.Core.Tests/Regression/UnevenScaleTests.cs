@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Tolerances were fractions of a bounding radius that grew with the largest factor of an uneven scale, or

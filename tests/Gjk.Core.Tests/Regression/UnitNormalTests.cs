@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A body 1e-14 to 1e-10 beside another one's axis leaves it in the plane of that offset, whose direction kept

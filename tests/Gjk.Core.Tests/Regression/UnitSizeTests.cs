@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Products of lengths left the range of double for pairs below 1e-35 (wrong, or overlapping) and near 3e38

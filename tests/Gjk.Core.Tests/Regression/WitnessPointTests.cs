@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>Closest points at great ratios of size or distance: the weights of needle triangles lost their digits (4e-3

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>A user's own shape as a <see cref="ConvexShape"/>.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Shapes;
 
 /// <summary>Contract 9: what scale and radius do to a shape; and that ConvexShape is the same shape as the

@@ -1,4 +1,3 @@
-using Gjk.Core.Tests.Support;
 using static Gjk.Core.Tests.Support.SameMass;
 
 namespace Gjk.Core.Tests.Shapes;

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>Shapes that are scaled, rounded and placed, typed and as <see cref="ConvexShape"/>.</summary>

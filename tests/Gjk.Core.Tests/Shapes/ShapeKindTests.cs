@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Shapes;
 
 /// <summary>What is asked of every kind. A new one needs a sample here.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Shapes;
 
 /// <summary>Support functions against formulas and against every point of the shape that sampling can name.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Shapes;
 
 /// <summary>Tapered capsules against formulas of their own, against hulls of points on them, and against what they are

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>The cost of queries in support calls on each shape, which no machine's load or speed can change. The bounds

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>A traced search for a depth answers as <c>SignedDistance</c> does, bit for bit. Each told surface is

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>The normals of overlapping ellipsoids are good to 1e-6 rad; 1.2e-7 of that is the rounding of the three

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>How many rounds queries take: far from the cap on every valid pair, and never more than the cap on shapes

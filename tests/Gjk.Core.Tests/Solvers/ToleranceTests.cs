@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>Each tolerance from both sides: what a solver does with a length, or a ratio, of half of it and of twice as

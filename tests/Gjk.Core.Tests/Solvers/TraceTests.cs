@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Solvers;
 
 /// <summary>A traced query answers as the plain one does, bit for bit, and what it tells is true.</summary>

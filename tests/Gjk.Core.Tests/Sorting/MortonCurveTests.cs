@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Sorting;
 
 /// <summary>Places on the curve, against bits put together one by one.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Sorting;
 
 /// <summary>Sorting by the upper half of a key, against the sort of LINQ.</summary>

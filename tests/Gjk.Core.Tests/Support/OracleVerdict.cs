@@ -26,5 +26,5 @@ internal static class OracleVerdict
     /// <summary>The rounding of a distance to the smallest floats.</summary>
     private const double HalfLeastFloat = 0.5 * float.Epsilon;
 
-    private static double Depth(TestPair pair) => Support.Depth.Of(pair) + pair.A.Margin + pair.B.Margin;
+    private static double Depth(TestPair pair) => CloudDepth.Of(pair) + pair.A.Margin + pair.B.Margin;
 }

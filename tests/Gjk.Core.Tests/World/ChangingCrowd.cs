@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>Objects of all kinds that move, go, come and get other shapes, in a scene that is compared with one built

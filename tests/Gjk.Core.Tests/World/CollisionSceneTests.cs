@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>What a scene does.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>A scene that holds surfaces, solids and compounds says what <see cref="ConcaveQuery"/> says of each pair,

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>Objects with sides from 1e-38 to the largest float in one scene: for every broad phase, what is found is

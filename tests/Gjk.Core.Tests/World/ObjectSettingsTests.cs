@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>Groups, masks and static objects: what the finders test, and what they leave out.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>A scene with a broad phase of the caller's, filters of his, and the ids of what is in it.</summary>

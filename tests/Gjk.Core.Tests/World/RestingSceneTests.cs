@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>A pair whose objects have not moved keeps its answer; one that moved is asked again.</summary>

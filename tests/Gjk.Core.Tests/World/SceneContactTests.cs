@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>A scene's depths and contacts are those of asking every pair, and the same bits for every broad phase and

@@ -1,5 +1,4 @@
 using Gjk.Core.Tests.Concave;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 

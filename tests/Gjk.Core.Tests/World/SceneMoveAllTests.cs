@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>Moving all objects at once is moving them one by one, for any number of threads and every broad

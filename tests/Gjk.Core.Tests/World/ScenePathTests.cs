@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>What a scene says of rays and shapes that are not in it is what asking every object alone says, to the last

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 

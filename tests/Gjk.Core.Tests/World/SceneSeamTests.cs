@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using Gjk.Core.Tests.Concave;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.World;
 

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>A scene in which objects got other shapes answers as one that was built with these shapes.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>The bounds hold the shape, outward of every rounding, and are as tight as they say.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.World;
 
 /// <summary>Tilted bodies that begin deep in a flat floor of many parts sink no further.</summary>

@@ -1,7 +1,5 @@
 using System.Text.RegularExpressions;
-using Gjk.Core;
 using Gjk.Demo.Fuzz;
-using Gjk.Demo.Tests.Support;
 using Gjk.Exact.Fuzz.Blocks;
 
 namespace Gjk.Demo.Tests.Fuzz;

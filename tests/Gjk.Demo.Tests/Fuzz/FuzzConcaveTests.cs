@@ -1,7 +1,5 @@
-using Gjk.Core;
 using Gjk.Core.Tests.Support;
 using Gjk.Demo.Scenes;
-using Gjk.Demo.Tests.Support;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Concave;
 using Gjk.Exact.Fuzz.Promises;

@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Demo.Fuzz;
 using Gjk.Exact.Fuzz;
 using Gjk.Exact.Fuzz.Families;

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Tests.Fuzz;
 
 /// <summary>The meshes that fuzz generates have the features of real ones: tiny poles, doubled seams, repeated

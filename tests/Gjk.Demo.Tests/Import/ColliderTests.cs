@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>Unity's colliders under scale, off their object's centre, and switched off.</summary>

@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Import;
 
 namespace Gjk.Demo.Tests.Import;

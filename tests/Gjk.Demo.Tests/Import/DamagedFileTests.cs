@@ -2,7 +2,6 @@ using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Gjk.Core.Tests.Support;
-using Gjk.Demo.Tests.Support;
 using Gjk.Import;
 
 namespace Gjk.Demo.Tests.Import;

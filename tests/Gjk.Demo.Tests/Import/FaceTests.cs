@@ -1,7 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
 using Gjk.Import;
 
 namespace Gjk.Demo.Tests.Import;

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>Random hierarchies of three levels with uneven, negative and zero scales, so with skew. Every imported

@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>The command itself: exit codes, what it prints, what it leaves behind.</summary>

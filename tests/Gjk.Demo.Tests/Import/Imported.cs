@@ -1,7 +1,5 @@
-using Gjk.Core;
 using Gjk.Demo.Import;
 using Gjk.Demo.Scenes;
-using Gjk.Demo.Tests.Support;
 using Gjk.Import;
 
 namespace Gjk.Demo.Tests.Import;

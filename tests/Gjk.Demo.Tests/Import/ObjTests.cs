@@ -1,6 +1,4 @@
 using System.Text;
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
 using Gjk.Import;
 
 namespace Gjk.Demo.Tests.Import;

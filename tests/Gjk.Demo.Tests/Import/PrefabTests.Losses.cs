@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>What prefabs and models lack is counted, and said where it is missed.</summary>

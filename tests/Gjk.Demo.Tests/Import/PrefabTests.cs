@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>Prefabs with overrides, in scenes and in each other, in the form of today and of old projects.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>Scenes that are built as the report's two are: no prefab and no collider of Unity, but a mesh and a script

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>Meshes that a scene names: in itself, in an asset, in a model, or nowhere.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Import;
 
 /// <summary>What is no scene is refused in one line. What a scene has and cannot be read is listed.</summary>

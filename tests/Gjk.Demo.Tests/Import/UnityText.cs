@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Import;
 

@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Judge;
 
 /// <summary>The referee finds this library's answers right, every kind of wrong one wrong, and refuses bad

@@ -1,5 +1,4 @@
 using System.Runtime.Versioning;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Output;
 

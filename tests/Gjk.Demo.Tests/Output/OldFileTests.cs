@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Gjk.Demo.Tests.Scenes;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Output;
 

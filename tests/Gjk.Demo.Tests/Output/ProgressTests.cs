@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Output;
 
 /// <summary>Progress is shown on a terminal, on standard error alone, and nowhere else.</summary>

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Output;
 

@@ -1,6 +1,5 @@
 using System.Xml.Linq;
 using Gjk.Demo.Output;
-using Gjk.Demo.Tests.Support;
 using Gjk.Import;
 
 namespace Gjk.Demo.Tests.Output;

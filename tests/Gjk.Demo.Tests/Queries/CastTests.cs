@@ -1,5 +1,4 @@
 using System.Globalization;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Queries;
 

@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Queries;
 
 /// <summary>Surfaces and compounds in scene files and on the command line.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Queries;
 
 /// <summary>The names of objects in the CSV, and what is said about written files.</summary>

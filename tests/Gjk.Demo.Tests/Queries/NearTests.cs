@@ -1,7 +1,5 @@
 using System.Globalization;
-using Gjk.Core;
 using Gjk.Demo.Scenes;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Queries;
 

@@ -1,5 +1,4 @@
 using Gjk.Demo.Tests.Scenes;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Queries;
 

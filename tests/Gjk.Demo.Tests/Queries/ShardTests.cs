@@ -1,6 +1,5 @@
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Scenes;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Queries;
 

@@ -1,7 +1,5 @@
 using System.Globalization;
 using System.Text.Json;
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Replay;
 

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Scenes;
 
 /// <summary>The generator of the report's scenes. It is compiled into this assembly, as it is in the bench.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.Tests.Scenes;
 
 /// <summary>Scenes of any number of objects, and their motion.</summary>

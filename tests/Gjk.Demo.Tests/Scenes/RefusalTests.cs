@@ -1,5 +1,4 @@
 using System.Text;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Scenes;
 

@@ -1,8 +1,6 @@
 using System.Text.Json.Nodes;
 using System.Text.RegularExpressions;
-using Gjk.Core;
 using Gjk.Demo.Scenes;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Scenes;
 

@@ -2,7 +2,6 @@ using System.Globalization;
 using Gjk.Core.Tests.Support;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Fit;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Study;
 

@@ -1,5 +1,4 @@
 using System.Text;
-using Gjk.Core;
 using Gjk.Demo.Study.Plan;
 using Gjk.Demo.View;
 

@@ -3,7 +3,6 @@ using Gjk.Demo.Scenes;
 using Gjk.Demo.Study.Fit;
 using Gjk.Demo.Study.Saves;
 using Gjk.Demo.Study.Simulate;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.Study;
 

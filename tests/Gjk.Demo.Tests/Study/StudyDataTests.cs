@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.Study;
 
 /// <summary>Bad data and bad plans are refused in one line, and nothing is written.</summary>

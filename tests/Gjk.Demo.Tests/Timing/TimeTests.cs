@@ -1,7 +1,6 @@
 using System.Text.Json;
 using Gjk.Demo.Scenes;
 using Gjk.Demo.Tests.Scenes;
-using Gjk.Demo.Tests.Support;
 using Gjk.Demo.Timing;
 
 namespace Gjk.Demo.Tests.Timing;

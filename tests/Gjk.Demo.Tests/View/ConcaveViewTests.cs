@@ -1,7 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.View;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Tests.View;

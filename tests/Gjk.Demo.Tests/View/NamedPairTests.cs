@@ -1,5 +1,3 @@
-using Gjk.Demo.Tests.Support;
-
 namespace Gjk.Demo.Tests.View;
 
 /// <summary><c>trace</c> takes names and indices of objects, and refuses what could mean several.</summary>

@@ -1,5 +1,4 @@
 using Gjk.Demo.Scenes;
-using Gjk.Demo.Tests.Support;
 using Gjk.Demo.View;
 
 namespace Gjk.Demo.Tests.View;

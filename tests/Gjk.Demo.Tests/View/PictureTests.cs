@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Net;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.View;
 

@@ -1,7 +1,6 @@
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.RegularExpressions;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.View;
 

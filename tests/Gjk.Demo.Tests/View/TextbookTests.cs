@@ -1,7 +1,5 @@
 using System.Text.Json;
-using Gjk.Core;
 using Gjk.Demo.Scenes;
-using Gjk.Demo.Tests.Support;
 using Gjk.Demo.Trace;
 
 namespace Gjk.Demo.Tests.View;

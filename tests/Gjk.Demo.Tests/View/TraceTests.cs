@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.View;
 

@@ -1,6 +1,4 @@
 using System.Globalization;
-using Gjk.Core;
-using Gjk.Demo.Tests.Support;
 
 namespace Gjk.Demo.Tests.View;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Answers;
 
 /// <summary>A hash of every field of results, iterations and the signs of zeros too; all NaN count as one. Equal hashes

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Answers;
 
 /// <summary>The golden queries of what <see cref="GoldenRun"/>'s pairs leave out: half-spaces, and the mass of each

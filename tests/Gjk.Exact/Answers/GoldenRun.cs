@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Exact.Cases;
 
 namespace Gjk.Exact.Answers;

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Answers;
 
 /// <summary>A hash of results: FNV-1a, 64 bits. For each pair in order it takes a, b (int32), the status (byte, see

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Answers;
 
 /// <summary>The number of a status in result hashes and in the pages of `view`: 0 separated, 1 overlapping, 2 beyond

@@ -1,5 +1,4 @@
 using System.IO;
-using Gjk.Core;
 
 namespace Gjk.Exact.Cases;
 

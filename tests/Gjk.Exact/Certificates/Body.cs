@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Certificates;
 
 /// <summary>A posed shape with its own rotation matrix, made here from the quaternion and not taken from the

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Certificates;
 
 /// <summary>Holds a result to the library's own <see cref="AnswerCheck"/>, which needs no solver, and to what it leaves

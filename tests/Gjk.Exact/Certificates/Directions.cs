@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Certificates;
 
 /// <summary>Unit directions to look at a shape from.</summary>

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Gjk.Core;
 using Gjk.Exact.Fuzz.Shrinking;
 
 namespace Gjk.Exact.Fuzz;

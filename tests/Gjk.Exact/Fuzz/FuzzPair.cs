@@ -1,5 +1,4 @@
 using System.Diagnostics.CodeAnalysis;
-using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>A shape of the library beside the points that its mesh was made of, so that the library's hull itself is

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>How far apart a pair's shapes are while B moves past A: a function of the fraction that is found without

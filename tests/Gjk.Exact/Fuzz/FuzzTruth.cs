@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>What is certain about a pair's distance. Without a curved core it is known, margins included: solved in

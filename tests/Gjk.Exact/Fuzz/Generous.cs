@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>A shape as a user might write it: the same supports, a bounding radius that is larger than need be, and no

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>A rotation by a quaternion of small integers: quarter turns, thirds of a turn, the angles of the triangles

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>How the shapes of a pair move, without turning, over the fractions from 0 to 1.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>A shape where it is, seen without the library's hulls, supports and solvers: a rotation matrix of its own,

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>Directions in which a look-up of a shape's furthest point might go wrong, in the shape's frame and of about

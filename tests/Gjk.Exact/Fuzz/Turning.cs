@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz;
 
 /// <summary>How a pair turns while it moves. The rates follow from the pair's own numbers, so that a pair that is read

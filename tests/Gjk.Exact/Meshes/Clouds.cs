@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Meshes;
 
 /// <summary>Random clouds of points of about unit size, for meshes.</summary>

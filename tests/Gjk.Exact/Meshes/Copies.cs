@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Meshes;
 
 /// <summary>A cloud with more points than it needs, or with each of them a little off.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Meshes;
 
 /// <summary>A subdivided icosahedron whose points are brought to the sphere in float, step by step, or in double at the

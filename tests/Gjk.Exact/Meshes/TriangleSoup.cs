@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Meshes;
 
 /// <summary>Points and triangles as they are given: what a mesh is made of, and what an oracle reads.</summary>

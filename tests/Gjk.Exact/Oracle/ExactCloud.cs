@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Oracle;
 
 /// <summary>One posed cloud whose points become integers only when they are asked for. The furthest point is found in

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Oracle;
 
 /// <summary>Where the exact walk may start: the nearest feature, found by the same walk in doubles. It need not be

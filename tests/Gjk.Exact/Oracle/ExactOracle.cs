@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Oracle;
 
 /// <summary>The exact flag, and the exact distance rounded to double (0 when overlapping).</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Oracle;
 
 /// <summary>Two posed clouds as integer vectors: the Minkowski vertex of i and j is (A[i] - B[j]) · 2^Exponent /

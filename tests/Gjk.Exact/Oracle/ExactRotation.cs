@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Oracle;
 
 /// <summary>The rotation of a quaternion that need not be of unit length: an integer matrix over an integer

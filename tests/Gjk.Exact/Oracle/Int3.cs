@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Oracle;
 
 /// <summary>A vector of integers of any size.</summary>

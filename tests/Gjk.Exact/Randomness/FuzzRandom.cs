@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Randomness;
 
 /// <summary>Seeded draws for shapes and poses, as fuzz, the made meshes and the built-in scenes need them.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Randomness;
 
 /// <summary>Shapes of every kind, bare or decorated, about a unit large.</summary>

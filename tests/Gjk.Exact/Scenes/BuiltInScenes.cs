@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Scenes;
 
 /// <summary>One of the report's two scenes, or a scene of the same kind. The objects are copies of one mesh of unit

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Scenes;
 
 /// <summary>Objects in motion. Each object moves straight on until a wall reflects it, and turns at a constant rate

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Scenes;
 
 /// <summary>Changes poses. The computation is in double.</summary>

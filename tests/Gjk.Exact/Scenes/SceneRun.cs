@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Scenes;
 
 /// <summary>Moving scenes with warm starts, asked every question in every frame: the report's cubes and spheres, and a

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Scenes;
 
 /// <summary>The mesh of the built-in spheres.</summary>

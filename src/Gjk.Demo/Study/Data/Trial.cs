@@ -1,5 +1,3 @@
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.Study.Data;
 
 /// <summary>One answered trial: a row of the data.</summary>

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Gjk.Demo.Output;
 
 namespace Gjk.Demo.Study.Data;
 

@@ -1,6 +1,3 @@
-using Gjk.Core;
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.Study.Data;
 
 /// <summary>Makes a trial of a row's fields, by name, and refuses what is not exactly right.</summary>

@@ -1,7 +1,7 @@
 using MathNet.Numerics.Distributions;
-using MathNet.Numerics.LinearAlgebra;
 using MathNet.Numerics.Optimization;
 using MathNet.Numerics.RootFinding;
+using Numbers = MathNet.Numerics.LinearAlgebra.Vector<double>;
 
 namespace Gjk.Demo.Study.Fit;
 
@@ -146,8 +146,8 @@ internal sealed class CurveFit
     {
         IObjectiveFunction loss =
             ObjectiveFunction.Value(v => CurveOf(complete(v.AsArray() ?? v.ToArray())).Loss(_data));
-        Vector<double> at = Vector<double>.Build.DenseOfArray(start);
-        Vector<double> steps = Vector<double>.Build.Dense(start.Length, 0.1);
+        Numbers at = Numbers.Build.DenseOfArray(start);
+        Numbers steps = Numbers.Build.Dense(start.Length, 0.1);
         try
         {
             return complete(NelderMeadSimplex.Minimum(loss, at, steps, Tolerance, MostSteps).MinimizingPoint.ToArray());

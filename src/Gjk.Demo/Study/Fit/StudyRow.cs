@@ -1,5 +1,3 @@
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.Study.Fit;
 
 /// <summary>One figure of the analysis: a row of its CSV.</summary>

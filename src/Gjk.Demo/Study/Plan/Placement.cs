@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Study.Plan;
 
 /// <summary>Puts two shapes so that the library's own signed distance is a wanted gap. A stands where both touch when B

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Study.Plan;
 
 /// <summary>Two shapes that are shown together. B moves along the x axis, away from A for positive gaps.</summary>

@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Study.Plan;
 
 /// <summary>The parts of a plan that are objects of their own.</summary>

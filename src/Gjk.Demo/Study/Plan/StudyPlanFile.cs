@@ -1,7 +1,5 @@
 using System.Security.Cryptography;
 using System.Text.RegularExpressions;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Study.Plan;
 

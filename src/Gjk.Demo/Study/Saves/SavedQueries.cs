@@ -1,7 +1,4 @@
 using System.Diagnostics;
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
 using Gjk.Demo.Study.Fit;
 
 namespace Gjk.Demo.Study.Saves;

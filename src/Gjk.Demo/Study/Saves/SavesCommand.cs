@@ -1,8 +1,4 @@
 using System.CommandLine;
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
 
 namespace Gjk.Demo.Study.Saves;
 

@@ -1,4 +1,3 @@
-using Gjk.Demo.Output;
 using Gjk.Demo.Study.Fit;
 
 namespace Gjk.Demo.Study.Saves;

@@ -1,5 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
 using Gjk.Demo.Study.Data;
 using Gjk.Demo.Study.Fit;
 using Gjk.Demo.Study.Plan;

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>A shape as the textbook sees it: a furthest point in world coordinates, everything in float.</summary>

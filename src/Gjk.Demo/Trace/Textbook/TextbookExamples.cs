@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>Pairs with parallel faces on which the textbook's GJK fails. Each is the first of its kind in a search over

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>GJK as books print it and as the report built it: Muratori's cases (2006) with the nearest point by

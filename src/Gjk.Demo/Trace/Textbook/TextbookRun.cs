@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>Why the textbook's loop ended.</summary>

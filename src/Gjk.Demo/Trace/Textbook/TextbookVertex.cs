@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace Gjk.Demo.Trace;
 
 /// <summary>A vertex of A - B in float, with the two points that it comes from, in world coordinates.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The way out of an intersecting pair, as an arrow of the page's colour. A dark outline keeps it readable on

@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>One object as the eye sees it: the triangles that face the eye, the lines to draw, and the region that the

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The camera of a still picture. It looks in the page's first direction and stands as near as all balls

@@ -1,8 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The paths of the objects that move over the first frame, dashed; their outlines where they first meet

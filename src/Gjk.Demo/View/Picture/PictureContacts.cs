@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Output;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The contact points of the pairs that intersect in the first frame: a dot on A's surface, and a thin line

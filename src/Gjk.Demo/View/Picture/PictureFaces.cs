@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The visible surfaces of a picture, with one path for each colour and brightness.</summary>

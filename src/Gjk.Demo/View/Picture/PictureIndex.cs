@@ -1,6 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>Finds the bodies that may hide a part of a ball, without a look at all bodies. Each body is a box in a

@@ -1,7 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The bodies of a picture. Each is convex, because what it hides is: an object, or one triangle or part of an

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>Points and segments, which have no surface. They are drawn as dots and as strokes of one width.</summary>

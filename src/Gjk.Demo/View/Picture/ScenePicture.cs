@@ -1,8 +1,3 @@
-using System.Numerics;
-using Gjk.Core;
-using Gjk.Demo.Output;
-using Gjk.Demo.Scenes;
-
 namespace Gjk.Demo.View;
 
 /// <summary>Draws the first frame of a scene as an SVG picture. It shows what the page shows at first, and contains

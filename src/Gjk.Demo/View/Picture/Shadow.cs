@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Demo.View;
 
 /// <summary>The region that a convex body hides from the eye, including the body itself. A point is in it if the line

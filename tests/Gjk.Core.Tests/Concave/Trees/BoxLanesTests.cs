@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave.Trees;
 
 /// <summary>Boxes hold their parts, and bounds in float are never above what is true.</summary>

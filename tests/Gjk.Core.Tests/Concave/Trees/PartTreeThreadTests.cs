@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave.Trees;
 
 /// <summary>A mesh is the same whether one thread builds it or several.</summary>

@@ -1,5 +1,4 @@
 using System.Security.Cryptography;
-using Gjk.Core.Tests.Support;
 
 namespace Gjk.Core.Tests.Hulls.Building;
 

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>The look-up finds the vertex that the plain scan finds, whatever the hull and the direction; and it is as

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests;
 
 /// <summary>Directions in which a look-up can go wrong: normals of faces and edges, borders of cells, axes, tiny and

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>When what moves meets a half-space: casts and rays in closed form, and times of impact.</summary>

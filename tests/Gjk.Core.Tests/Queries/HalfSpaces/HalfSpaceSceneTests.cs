@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries;
 
 /// <summary>Half-spaces beside meshes, solids and compounds, in batches and in scenes, against part after part and

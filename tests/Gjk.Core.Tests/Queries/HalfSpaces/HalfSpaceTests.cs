@@ -1,4 +1,3 @@
-using Gjk.Core.Tests.Support;
 using Gjk.Exact.Fuzz;
 
 namespace Gjk.Core.Tests.Queries;

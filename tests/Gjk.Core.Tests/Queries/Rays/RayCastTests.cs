@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries.Rays;
 
 /// <summary>Rays by hand, their refusals, and what all ways to ask have in common.</summary>

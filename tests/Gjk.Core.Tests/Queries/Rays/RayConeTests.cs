@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries.Rays;
 
 /// <summary>Rays parallel to a side of a cone, where the quadratic loses its square.</summary>

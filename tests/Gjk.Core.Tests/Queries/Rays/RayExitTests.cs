@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries.Rays;
 
 /// <summary>Where rays leave, by hand and by the distance around the end; <see cref="RayAccuracyTests"/> compares exits

@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries.Rays;
 
 /// <summary>The planes that rays clip hulls by, and the clipping with and without wide registers.</summary>

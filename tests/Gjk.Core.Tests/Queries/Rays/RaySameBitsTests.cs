@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Queries.Rays;
 
 /// <summary>However a shape is written, a ray gets the same bits from it.</summary>

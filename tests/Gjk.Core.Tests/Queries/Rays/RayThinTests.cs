@@ -1,4 +1,3 @@
-using Gjk.Core.Tests.Support;
 using Gjk.Core.Tests.Support.Rays;
 
 namespace Gjk.Core.Tests.Queries.Rays;

@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Exact.Fuzz.Blocks;

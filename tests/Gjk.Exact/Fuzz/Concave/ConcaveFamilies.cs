@@ -1,4 +1,3 @@
-using Gjk.Core;
 using Gjk.Exact.Fuzz.Families;
 
 namespace Gjk.Exact.Fuzz.Concave;

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Threading;
-using Gjk.Core;
 using Gjk.Exact.Fuzz.Promises;
 
 namespace Gjk.Exact.Fuzz.Concave;

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>Contacts against single queries of the parts. Of surfaces and convex shapes those that push along the faces

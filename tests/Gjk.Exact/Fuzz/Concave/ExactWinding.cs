@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>How often triangles wind around a point, in integers of any size: slow, and independent of the

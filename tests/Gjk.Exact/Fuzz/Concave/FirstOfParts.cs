@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>Rays, casts and times of impact against single queries of all parts.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>Distances against single queries of all pairs of parts, and against integers of any size.</summary>

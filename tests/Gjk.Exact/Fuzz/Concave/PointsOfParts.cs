@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>How far a point is from A's parts, whether it is in one of them (a distance may be too short for a float),

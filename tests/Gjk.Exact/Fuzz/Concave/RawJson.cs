@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Concave;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>A shape by the numbers that it is made of: what the library is given, and what the oracle reads.

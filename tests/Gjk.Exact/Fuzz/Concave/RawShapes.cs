@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Concave;
 
 /// <summary>Random shapes of about unit size that are not convex, and convex ones to put beside them.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>Pairs whose difficulty is where they touch, or nearly do.</summary>

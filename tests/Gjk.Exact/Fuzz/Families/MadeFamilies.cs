@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>Pairs of meshes as people and programs make them: plain, baked, far from their own origin, and scaled back

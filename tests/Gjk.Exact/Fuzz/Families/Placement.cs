@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>Puts two shapes next to each other.</summary>

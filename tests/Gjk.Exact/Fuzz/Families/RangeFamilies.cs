@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>Sizes, ratios of sizes and distances from one end of what floats hold to the other.</summary>

@@ -1,4 +1,3 @@
-using Gjk.Core;
 using static Gjk.Exact.Fuzz.IntegerRotation;
 
 namespace Gjk.Exact.Fuzz.Families;

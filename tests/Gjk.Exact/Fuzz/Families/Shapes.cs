@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>Random shapes of about unit size.</summary>

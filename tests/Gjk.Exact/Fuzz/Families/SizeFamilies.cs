@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Families;
 
 /// <summary>Pairs whose difficulty is in their numbers: sizes, distances from an origin, or how many corners there

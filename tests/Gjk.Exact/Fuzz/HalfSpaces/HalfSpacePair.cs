@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Threading;
-using Gjk.Core;
 using Gjk.Exact.Fuzz.Promises;
 using Gjk.Exact.Fuzz.Shrinking;
 

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>How a cast begins and ends, and what changes none. <see cref="CastProof"/> holds it to the truth.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>Holds any answer for a moving pair to what a certificate without the library's solvers can prove.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>A time of impact of the pair when it turns as well: before the fraction nothing overlaps, at it the shapes

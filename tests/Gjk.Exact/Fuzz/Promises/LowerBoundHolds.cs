@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>The lower bound is below the true distance, without a band, and as near it as the distance is promised to

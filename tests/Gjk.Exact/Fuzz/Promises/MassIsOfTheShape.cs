@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>The centre of mass of what has a volume lies in the shape, no moment exceeds the sum of the two others, a

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>With a maximum distance the answer is the full one where that is nearer, to the last bit; beyond, a plane

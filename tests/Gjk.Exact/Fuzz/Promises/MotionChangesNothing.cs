@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>Moving both shapes alike changes nothing: half turns about the axes, which are exact in floats, and shifts

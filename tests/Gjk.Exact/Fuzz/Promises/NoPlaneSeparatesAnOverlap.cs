@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>Of shapes that are said to overlap, no plane has one on either side: looked for along many directions and

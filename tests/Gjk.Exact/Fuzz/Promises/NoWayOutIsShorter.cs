@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>No direction parts overlapping shapes at a lower cost than the depth. The shortest way out of polytopes is

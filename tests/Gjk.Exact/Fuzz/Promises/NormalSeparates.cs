@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>The certificate of a distance: the planes across the normal that touch the shapes stand the distance apart.

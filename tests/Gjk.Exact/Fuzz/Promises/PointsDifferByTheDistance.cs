@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>From one closest point to the other is normal times distance, in the world and through the local frames; of

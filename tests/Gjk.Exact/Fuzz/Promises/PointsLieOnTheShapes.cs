@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>Each closest point lies in its shape, in its own frame as in the world's, as far as a float can hold

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>A valid pair gets an answer: no cap is reached, no input called invalid, no NaN.</summary>

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>A ray from B's place along the motion enters A and leaves it at points of A, and a plane along the normal

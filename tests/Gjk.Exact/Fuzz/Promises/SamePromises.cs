@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>The same question again, or in other words, has the same answer.</summary>

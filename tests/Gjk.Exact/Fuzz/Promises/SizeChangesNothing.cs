@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>A pair in another unit of length has the same answer in that unit. The factors are powers of two, so that

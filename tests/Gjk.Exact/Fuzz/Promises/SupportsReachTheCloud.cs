@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>In no direction does a shape's support value differ from the greatest dot product with the points that it

@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>The check that users can make refutes no answer, and where the truth is known it is between the check's

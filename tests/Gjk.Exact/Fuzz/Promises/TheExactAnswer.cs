@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>Every pair without a curved core is solved again in integers of any size: flag and distance are held to the

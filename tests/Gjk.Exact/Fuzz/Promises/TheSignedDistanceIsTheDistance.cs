@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>The signed distance overlaps where the distance does, and is the distance bit for bit elsewhere. Only

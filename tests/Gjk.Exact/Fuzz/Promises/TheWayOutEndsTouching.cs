@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>Moved along the normal by the depth, B only touches A: a plane stands between them, and the deepest points,

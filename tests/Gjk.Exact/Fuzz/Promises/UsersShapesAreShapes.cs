@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>A user's own shape with the same supports gets an answer that is as exact, however generous its bounding

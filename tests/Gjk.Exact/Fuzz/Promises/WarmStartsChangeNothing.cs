@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using Gjk.Core;
 
 namespace Gjk.Exact.Fuzz.Promises;
 

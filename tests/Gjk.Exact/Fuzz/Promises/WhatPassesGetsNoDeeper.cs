@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Promises;
 
 /// <summary>A cast that passes what gets no deeper says the same as without the option, or misses; and then no place on

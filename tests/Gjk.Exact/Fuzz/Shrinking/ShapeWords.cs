@@ -1,5 +1,3 @@
-using Gjk.Core;
-
 namespace Gjk.Exact.Fuzz.Shrinking;
 
 /// <summary>One posed shape of a record with its motion, as its words: what shrinking changes. Immutable.</summary>

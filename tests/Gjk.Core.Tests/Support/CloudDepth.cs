@@ -2,7 +2,7 @@ namespace Gjk.Core.Tests.Support;
 
 /// <summary>The shortest translation that separates two overlapping clouds, to double accuracy: all planes that can be
 /// a face of their difference are tried.</summary>
-internal static class Depth
+internal static class CloudDepth
 {
     public static double Of(TestPair pair)
     {
