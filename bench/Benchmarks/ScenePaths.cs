@@ -27,8 +27,8 @@ public class ScenePaths
         _scene = objects.CreateScene(BroadPhaseKind.DynamicTree);
         for (int i = 0; i < Paths; i++)
         {
-            Vector3 origin = objects.Poses[random.Index(Objects)].Position + random.Direction() * 1.5f;
-            _rays[i] = new RayQuery(origin, random.Direction());
+            Vector3 origin = objects.Poses[random.Index(Objects)].Position + random.UnitVector() * 1.5f;
+            _rays[i] = new RayQuery(origin, random.UnitVector());
         }
 
         _workers = new Workers();

@@ -32,7 +32,7 @@ public class SupportAlone
         _collider = new MeshSupportCollider(vertices, prng.Rotation(), Vector3.Zero);
         for (int i = 0; i < DirectionCount; i++)
         {
-            _directions[i] = prng.Direction();
+            _directions[i] = prng.UnitVector();
             _wideDirections[i] = _directions[i];
         }
     }

@@ -37,9 +37,9 @@ internal readonly struct CastCourse
     /// <param name="share">How far B goes, 1 being to that point.</param>
     public void Aim(CastScene scene, Prng prng, float aside, float apart, float share)
     {
-        Double3 from = prng.Direction();
+        Double3 from = prng.UnitVector();
         Double3 start = from * (Reach + prng.Range(0.05f, 1) * apart);
-        Double3 outward = _turnA.Rotate(_a.Furthest(_turnA.InverseRotate((Double3)prng.Direction()))) - MiddleA;
+        Double3 outward = _turnA.Rotate(_a.Furthest(_turnA.InverseRotate((Double3)prng.UnitVector()))) - MiddleA;
         Add(scene, start, (outward * aside - start) * share);
     }
 
@@ -47,7 +47,7 @@ internal readonly struct CastCourse
     /// With a gap of less than 0 they meet there.</summary>
     public void Pass(CastScene scene, Prng prng, double gap)
     {
-        Double3 up = prng.Direction(), along = Double3.Cross(up, prng.Direction());
+        Double3 up = prng.UnitVector(), along = Double3.Cross(up, prng.UnitVector());
         along *= (Reach + prng.Range(0, 1)) / along.Length;
         Add(scene, Above(up, gap) - along, along * 2);
     }
@@ -56,18 +56,18 @@ internal readonly struct CastCourse
     /// side.</summary>
     public void Sink(CastScene scene, Prng prng, double depth, double way)
     {
-        Double3 up = prng.Direction();
+        Double3 up = prng.UnitVector();
         Double3 onA = HighestOf(_a, _turnA, up) - MiddleA, onB = HighestOf(_b, _turnB, -up) - MiddleB;
         onA *= 1 - Math.Min(0.5, depth / onA.Length);
         onB *= 1 - Math.Min(0.5, depth / onB.Length);
-        Add(scene, onA - onB, prng.Direction() * (float)way);
+        Add(scene, onA - onB, prng.UnitVector() * (float)way);
     }
 
     /// <summary>From a gap above A down by a way, B's lowest point onto A's highest one; a way less than 0 leads
     /// away.</summary>
     public void Drop(CastScene scene, Prng prng, double gap, double way)
     {
-        Double3 up = prng.Direction();
+        Double3 up = prng.UnitVector();
         Add(scene, Above(up, gap), up * -way);
     }
 

@@ -125,7 +125,7 @@ internal static class CastSets
                 _ => DepthBody.Curved(ConvexShape.Cylinder(prng.Range(0.3f, 1), prng.Range(0.2f, 1))),
             };
             var course = new CastCourse(prng, target, point);
-            if (prng.Index(10) == 0) course.Add(scene, default, 5 * prng.Direction());
+            if (prng.Index(10) == 0) course.Add(scene, default, 5 * prng.UnitVector());
             else course.Aim(scene, prng, prng.Range(0, 2), Apart, prng.Range(1.2f, 3));
         };
     }

@@ -84,7 +84,7 @@ public sealed class ConcaveScene
         for (int i = 0; i < Count; i++)
         {
             Quaternion turn = rng.Rotation();
-            Vector3 way = rng.Direction();
+            Vector3 way = rng.UnitVector();
             float along = 12;
             for (int round = 0; round < 200; round++)
             {

@@ -51,7 +51,7 @@ internal readonly struct DepthContact
     public static DepthContact AtCorners(Prng prng, DepthBody a, DepthBody b)
     {
         DepthContact turned = Turned(prng, a, b);
-        Double3 direction = prng.Direction();
+        Double3 direction = prng.UnitVector();
         Double3 onA = turned._turnA.Rotate(a.Furthest(turned._turnA.InverseRotate(direction)));
         return new DepthContact(turned, onA, turned.LowestOfB(direction));
     }
@@ -84,7 +84,7 @@ internal readonly struct DepthContact
         new(a, prng.Rotation(), b, prng.Rotation());
 
     private static Double3 Off(Prng prng, DepthBody body, float mostShare) =>
-        body.Inside + prng.Range(0, mostShare) * (body.Furthest(prng.Direction()) - body.Inside);
+        body.Inside + prng.Range(0, mostShare) * (body.Furthest(prng.UnitVector()) - body.Inside);
 
     private static Double3 Into(in Double3 inside, in Double3 surface, double depth)
     {

@@ -115,7 +115,7 @@ internal static class DepthSets
             }
             else
             {
-                var little = new Quaternion(prng.Direction() * prng.OneOf(0f, 1e-6f, 1e-4f, 1e-2f), 1);
+                var little = new Quaternion(prng.UnitVector() * prng.OneOf(0f, 1e-6f, 1e-4f, 1e-2f), 1);
                 second = prng.Index(2) == 0 ? Quaternion.Normalize(little * first) : prng.Rotation();
             }
 
@@ -145,7 +145,7 @@ internal static class DepthSets
         DepthContact contact = prng.Index(2) == 0
             ? DepthContact.AtFace(prng, a, b)
             : DepthContact.AtCorners(prng, a, b);
-        contact.Sunk(prng.Range(0.02f, 0.2f)).AddTo(scene, 1e5f * prng.Direction(), false);
+        contact.Sunk(prng.Range(0.02f, 0.2f)).AddTo(scene, 1e5f * prng.UnitVector(), false);
     };
 
     public static Action<BenchScene> Round(Prng prng) => scene =>

@@ -55,7 +55,7 @@ public static class MeshVertices
     public static Vector3[] OnEllipsoid(Prng prng, int count, Vector3 radii)
     {
         var vertices = new Vector3[count];
-        for (int i = 0; i < count; i++) vertices[i] = radii * prng.Direction();
+        for (int i = 0; i < count; i++) vertices[i] = radii * prng.UnitVector();
         return vertices;
     }
 }

@@ -17,7 +17,7 @@ public sealed class PrimitivePairs
         });
         Triangles = new(25, prng =>
         {
-            Vector3 a = prng.Direction() * 0.5f, b = prng.Direction() * 0.5f, c = prng.Direction() * 0.5f;
+            Vector3 a = prng.UnitVector() * 0.5f, b = prng.UnitVector() * 0.5f, c = prng.UnitVector() * 0.5f;
             return (new TriangleShape(a, b, c), new[] { a, b, c });
         });
     }

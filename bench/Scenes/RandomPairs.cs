@@ -68,7 +68,7 @@ public static class RandomPairs
         for (int i = 0; i < Count; i++)
         {
             int a = AddObject(scene, prng, set.Name, set.Size, pool, Vector3.Zero);
-            Vector3 position = prng.Direction() * prng.Range(MinDistance, MaxDistance);
+            Vector3 position = prng.UnitVector() * prng.Range(MinDistance, MaxDistance);
             int b = AddObject(scene, prng, set.Name, set.Size, pool, position);
             scene.AddPair(a, b);
         }

@@ -46,7 +46,7 @@ public sealed class Sliding
         ref ConvexShape a = ref scene.Shapes[pair.A], b = ref scene.Shapes[pair.B];
         RigidPose poseA = scene.Poses[pair.A], middle = scene.Poses[pair.B];
         DistanceResult start = ConvexQuery.SignedDistance(a, poseA, b, middle);
-        Double3 wayOut = start.Normal, across = Double3.Cross(wayOut, prng.Direction());
+        Double3 wayOut = start.Normal, across = Double3.Cross(wayOut, prng.UnitVector());
         double step = SizesPerFrame * Math.Min(Motion.Size(a), Motion.Size(b));
         for (int i = 0; i < path.Length; i++)
         {

@@ -20,7 +20,7 @@ public sealed class TypedPairs<TShape>
         for (int i = 0; i < _shapes.Length; i++)
         {
             (_shapes[i], Vector3[] vertices) = create(prng);
-            Vector3 position = i % 2 == 0 ? Vector3.Zero : prng.Direction() * prng.Range(MinDistance, MaxDistance);
+            Vector3 position = i % 2 == 0 ? Vector3.Zero : prng.UnitVector() * prng.Range(MinDistance, MaxDistance);
             _poses[i] = new RigidPose(prng.Rotation(), position);
             _colliders[i] = new MeshSupportCollider(vertices, _poses[i].Rotation, position);
         }

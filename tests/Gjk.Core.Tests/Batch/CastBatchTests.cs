@@ -45,7 +45,7 @@ public class CastBatchTests
             ConvexShape shape = Generators.Shape(rng, kind).Shape;
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
             RayQuery[] rays = [.. Enumerable.Range(0, 300).Select(
-                _ => new RayQuery(rng.Vector(-3, 3), rng.Direction(), rng.Float(0, 6)))];
+                _ => new RayQuery(rng.Vector(-3, 3), rng.UnitVector(), rng.Float(0, 6)))];
             var results = new RayCastResult[300];
             RayBatch.RayCast(shape, pose, rays, results, workers, default, options);
             for (int i = 0; i < rays.Length; i++)

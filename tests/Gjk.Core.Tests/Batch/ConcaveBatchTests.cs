@@ -9,7 +9,7 @@ public class ConcaveBatchTests
     public void ABatchSaysWhatSingleQueriesSay()
     {
         using var workers = new Workers(3);
-        var random = new FuzzRandom(1);
+        var random = new Rng(1);
         AnyShape[] shapes = [.. Enumerable.Range(0, Count).Select(_ => ConcaveShapes.Any(random))];
         RigidPose[] poses = [.. shapes.Select(_ => ConcaveShapes.Pose(random, 2))];
         ObjectPair[] pairs =
@@ -49,7 +49,7 @@ public class ConcaveBatchTests
     [Fact]
     public void AWarmStartOfOtherShapesIsOnlyAGuess()
     {
-        var random = new FuzzRandom(2);
+        var random = new Rng(2);
         var scratch = new ConcaveScratch();
         PartWarmStart warm = default;
         for (int i = 0; i < 200; i++)

@@ -82,7 +82,7 @@ public class SweepTests
         phase.UpdateLeaves();
         for (int i = 0; i < 200; i++)
         {
-            var path = new SweptBox(rng.Vector(0, side), rng.Direction());
+            var path = new SweptBox(rng.Vector(0, side), rng.UnitVector());
             var nearest = new Nearest(byId, path);
             first += phase.Leaves.Tree.Sweep(path, boxes, ref nearest);
             var recorder = new Recorder([]);
@@ -131,7 +131,7 @@ public class SweepTests
     private static SweptBox Path(Rng rng, float side)
     {
         Aabb start = Box(rng, side);
-        Vector3 motion = rng.Below(3) == 0 ? Vector3.UnitY * side : rng.Direction() * side;
+        Vector3 motion = rng.Below(3) == 0 ? Vector3.UnitY * side : rng.UnitVector() * side;
         return rng.Below(4) switch
         {
             0 => new SweptBox(start, motion, rng.Float(0, 1)),

@@ -127,7 +127,7 @@ internal sealed class WorstBoxes
     private (Vector3 Center, Vector3 Half, Vector3 Step) OnPowers(int exponent)
     {
         float size = (float)Math.Pow(2, exponent);
-        return (_rng.Direction() * size * 100, new Vector3(size), _rng.Vector(-0.01, 0.01) * size);
+        return (_rng.UnitVector() * size * 100, new Vector3(size), _rng.Vector(-0.01, 0.01) * size);
     }
 
     /// <summary>A cube of boxes that are apart by less than their leaves reach, so that each has 26

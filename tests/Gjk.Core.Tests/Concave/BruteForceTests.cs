@@ -99,7 +99,7 @@ public class BruteForceTests
         for (int seed = 0; seed < Pairs; seed++)
         {
             var pair = new Pair(seed);
-            var random = new FuzzRandom((ulong)seed + 1000);
+            var random = new Rng((ulong)seed + 1000);
             Vector3 wayA = random.Vector(0.5), wayB = (pair.PoseA.Position - pair.PoseB.Position) * 1.5f;
             if (random.OneIn(10)) wayB = wayA;
             List<CastResult> all = pair.All(
@@ -130,7 +130,7 @@ public class BruteForceTests
         for (int seed = 0; seed < Pairs; seed += 5)
         {
             var pair = new Pair(seed);
-            var random = new FuzzRandom((ulong)seed + 2000);
+            var random = new Rng((ulong)seed + 2000);
             var motionA = new RigidMotion(pair.PoseA, random.Vector(0.5), random.Vector(1));
             var motionB = new RigidMotion(
                 pair.PoseB, (pair.PoseA.Position - pair.PoseB.Position) * 1.5f, random.Vector(1));
@@ -154,7 +154,7 @@ public class BruteForceTests
         for (int seed = 0; seed < 3 * Pairs; seed++)
         {
             var pair = new Pair(seed);
-            var random = new FuzzRandom((ulong)seed + 3000);
+            var random = new Rng((ulong)seed + 3000);
             Vector3 origin = random.Vector(3), direction = pair.PoseA.Position + random.Vector(0.6) - origin;
             List<ConvexShape> parts = ConcaveShapes.Parts(pair.A);
             int least = -1, count = 0;
@@ -230,7 +230,7 @@ public class BruteForceTests
 
         public Pair(int seed)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             A = seed % 6 == 5
                 ? AnyShape.Of(ConcaveShapes.Nested(random, 2, []))
                 : ConcaveShapes.Any(random);

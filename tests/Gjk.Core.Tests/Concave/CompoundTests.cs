@@ -18,7 +18,7 @@ public class CompoundTests
         {
             List<ConvexShape> parts = [];
             List<(int Child, int Part)> children = [];
-            CompoundShape compound = ConcaveShapes.Nested(new FuzzRandom((ulong)seed), 3, parts, children);
+            CompoundShape compound = ConcaveShapes.Nested(new Rng((ulong)seed), 3, parts, children);
             Assert.Equal(parts.Count, compound.PartCount);
             Assert.Equal(children[^1].Child + 1, compound.ChildCount);
             for (int i = 0; i < parts.Count; i++)
@@ -67,7 +67,7 @@ public class CompoundTests
         int overlaps = 0;
         for (int seed = 0; seed < Trees; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             TriangleMesh mesh = seed % 3 == 0 ? field : ConcaveShapes.Soup(random, 20, 0.5);
             if (seed % 2 == 0) mesh = mesh.Scaled(random.Factors(0.5, 2));
             RigidPose pose = ConcaveShapes.Pose(random, 1), at = ConcaveShapes.Pose(random, 1);
@@ -92,7 +92,7 @@ public class CompoundTests
     {
         for (int seed = 0; seed < Trees; seed++)
         {
-            var random = new FuzzRandom((ulong)(500 + seed));
+            var random = new Rng((ulong)(500 + seed));
             var children = new CompoundPart[1 + random.Below(12)];
             for (int i = 0; i < children.Length; i++)
             {
@@ -132,7 +132,7 @@ public class CompoundTests
     [InlineData(1000, 450)]
     public void AMoveTakesAFewHundredBytesAPart(int parts, int bytesEach)
     {
-        CompoundShape compound = ConcaveShapes.Compound(new FuzzRandom(7), parts);
+        CompoundShape compound = ConcaveShapes.Compound(new Rng(7), parts);
         var pose = new RigidPose(new Vector3(0.1f, 0.2f, 0.3f));
         Assert.InRange(Allocation.Least(() => compound.WithPose(parts / 2, pose)), 1, parts * bytesEach);
     }
@@ -140,8 +140,8 @@ public class CompoundTests
     [Fact]
     public void QueriesOfNestedPartsAllocateNothing()
     {
-        AnyShape a = AnyShape.Of(ConcaveShapes.Nested(new FuzzRandom(3), 2, []));
-        AnyShape b = AnyShape.Of(ConcaveShapes.Nested(new FuzzRandom(4), 2, []).WithPose(0, s_here));
+        AnyShape a = AnyShape.Of(ConcaveShapes.Nested(new Rng(3), 2, []));
+        AnyShape b = AnyShape.Of(ConcaveShapes.Nested(new Rng(4), 2, []).WithPose(0, s_here));
         var at = new RigidPose(new Vector3(0.3f, 0.2f, 0.1f));
         var contacts = new List<PairContacts>();
         long bytes = Allocation.Least(() =>
@@ -167,7 +167,7 @@ public class CompoundTests
     [Fact]
     public void WhatIsNoPlaceIsRefused()
     {
-        CompoundShape compound = ConcaveShapes.Compound(new FuzzRandom(1), 3);
+        CompoundShape compound = ConcaveShapes.Compound(new Rng(1), 3);
         foreach (int index in new[] { -1, 3, int.MinValue, int.MaxValue })
         {
             Assert.Throws<ArgumentOutOfRangeException>(() => compound.GetPart(index));
@@ -187,7 +187,7 @@ public class CompoundTests
 
     private string[] Answers(CompoundShape compound, int seed)
     {
-        var random = new FuzzRandom((ulong)seed);
+        var random = new Rng((ulong)seed);
         RigidPose pose = ConcaveShapes.Pose(random, 0.5), at = ConcaveShapes.Pose(random, 1.5);
         return ConcaveAnswers.Of(_scratch, AnyShape.Of(compound), pose, ConcaveShapes.Any(random), at);
     }

@@ -13,7 +13,7 @@ public class ConcaveBitsTests
         ulong hash = 14695981039346656037;
         for (int seed = 0; seed < 80; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             AnyShape a = ConcaveShapes.Any(random), b = ConcaveShapes.Any(random);
             RigidPose poseA = ConcaveShapes.Pose(random, 1.5), poseB = ConcaveShapes.Pose(random, 1.5);
             PairDistance found = ConcaveQuery.Distance(a, poseA, b, poseB, scratch);

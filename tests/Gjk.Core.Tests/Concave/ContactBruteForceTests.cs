@@ -15,14 +15,14 @@ public class ContactBruteForceTests
         int kept = 0, dropped = 0, held = 0;
         for (int seed = 0; seed < 200; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             TriangleMesh mesh = seed % 3 == 0
                 ? ConcaveShapes.Torus(11, 7)
                 : SeamBodies.Plate(6, seed % 4, (_, _) => random.Float(-0.4f, 0.4f));
             if (seed % 5 == 0) mesh = mesh.Scaled(random.Factors(0.5, 2));
             AnyShape ground = AnyShape.Surface(mesh);
             AnyShape body = SeamBodies.Named(random.Of("ball", "box", "capsule", "hull"));
-            var at = new RigidPose(Rotations.Even(random), random.Vector(1.2));
+            var at = new RigidPose(random.Rotation(), random.Vector(1.2));
             ConcaveQuery.FindContacts(ground, RigidPose.Identity, body, at, 0.1f, _scratch, _contacts);
             List<ConvexShape> parts = ConcaveShapes.Parts(ground);
             for (int i = 0; i < parts.Count; i++)
@@ -101,7 +101,7 @@ public class ContactBruteForceTests
     [Fact]
     public void PartsOfACompoundAllCount()
     {
-        var random = new FuzzRandom(3);
+        var random = new Rng(3);
         CompoundShape compound = ConcaveShapes.Compound(random, 30);
         AnyShape shape = AnyShape.Of(compound), body = SeamBodies.Named("box");
         ConcaveQuery.FindContacts(
@@ -127,14 +127,14 @@ public class ContactBruteForceTests
     [Fact]
     public void FewTrianglesAreAskedBesideThoseInReach()
     {
-        var random = new FuzzRandom(6);
+        var random = new Rng(6);
         AnyShape ground = AnyShape.Surface(ConcaveShapes.Grid(40, (_, _) => random.Float(-0.002, 0.002)));
         AnyShape ball = AnyShape.Of(ConvexShape.Mesh(Clouds.OnSphere(random, 60)).Scaled(new Vector3(0.1f)));
         int asked = 0, found = 0;
         for (int i = 0; i < 40; i++)
         {
             var at = new RigidPose(
-                Rotations.Even(random), new Vector3(random.Float(-0.3, 0.3), 0.095f, random.Float(-0.3, 0.3)));
+                random.Rotation(), new Vector3(random.Float(-0.3, 0.3), 0.095f, random.Float(-0.3, 0.3)));
             ConcaveQuery.FindContacts(ground, RigidPose.Identity, ball, at, 0.005f, _scratch, _contacts);
             asked += _scratch.Search.Asked;
             found += _scratch.Pairs.Count;

@@ -12,13 +12,13 @@ public class ExchangedPairTests
         int touching = 0, several = 0, count = Budget.Count(1200);
         for (int i = 0; i < count; i++)
         {
-            FuzzRandom random = FuzzRandom.ForPair(47, i);
+            Rng random = Rng.ForPair(47, i);
             AnyShape a = Any(random), b = random.OneIn(6) ? a : Any(random);
             var poseA = new RigidPose(
-                random.OneIn(2) ? Quaternion.Identity : Rotations.Even(random),
+                random.OneIn(2) ? Quaternion.Identity : random.Rotation(),
                 random.OneIn(2) ? default : random.Vector(5));
             var turn = random.OneIn(2)
-                ? Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6)) : Rotations.Even(random);
+                ? Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6)) : random.Rotation();
             var poseB = new RigidPose(
                 Quaternion.Normalize(poseA.Rotation * turn), poseA.TransformPoint(random.Vector(1.5)));
             PairDistance apart = ConcaveQuery.Distance(a, poseA, b, poseB, _scratch);
@@ -50,7 +50,7 @@ public class ExchangedPairTests
         AnyShape floor = Floors.Named(name);
         for (int i = 0; i < 60; i++)
         {
-            FuzzRandom random = FuzzRandom.ForPair(48, i);
+            Rng random = Rng.ForPair(48, i);
             AnyShape body = SeamBodies.Named(random.Of("ball", "box", "capsule", "hull"));
             var over = new Vector3(random.Float(0.5, 2.5), 0, random.Float(0.5, 2.5));
             RigidPose at = SeamBodies.Placed(
@@ -75,7 +75,7 @@ public class ExchangedPairTests
         }
     }
 
-    private static AnyShape Any(FuzzRandom random) => random.Below(10) switch
+    private static AnyShape Any(Rng random) => random.Below(10) switch
     {
         0 => AnyShape.Of(Generators.Shape(new Rng(random.Next()), random.Of(Generators.AllKinds)).Shape),
         1 => SeamBodies.Named(random.Of("ball", "box", "capsule", "hull")),

@@ -35,11 +35,11 @@ public class FarContactTests
         AnyShape hills = AnyShape.Surface(
             SeamBodies.Plate(12, 2, (x, z) => 0.9f * MathF.Sin(2.1f * x) * MathF.Cos(1.7f * z)));
         AnyShape body = SeamBodies.Named(name);
-        var random = new FuzzRandom(4747);
+        var random = new Rng(4747);
         int count = 0;
         for (int i = 0; i < 200; i++)
         {
-            var at = new RigidPose(Rotations.Even(random), random.Vector(1.5) + new Vector3(0, 0.7f, 0));
+            var at = new RigidPose(random.Rotation(), random.Vector(1.5) + new Vector3(0, 0.7f, 0));
             Assert.True(ConcaveQuery.FindContacts(hills, RigidPose.Identity, body, at, 0.4f, _scratch, _contacts));
             count += _contacts.Count;
         }

@@ -25,7 +25,7 @@ public class FloorTests
     public void AFlatFloorPushesStraightUp(string name)
     {
         AnyShape floor = Floors.Named(name);
-        var random = new FuzzRandom(3);
+        var random = new Rng(3);
         for (int i = 0; i < 300; i++)
         {
             AnyShape body = Body(i);
@@ -143,7 +143,7 @@ public class FloorTests
             AnyShape.Of(ConvexShape.Box(new Vector3(0.2f)).Rounded(0.1f)),
             AnyShape.Solid(Solids.Box(new Vector3(-0.3f), new Vector3(0.3f))),
         ];
-        var random = new FuzzRandom(5);
+        var random = new Rng(5);
         for (int i = 0; i < 1200; i++)
         {
             float x = i % 4 < 2 ? random.Float(-0.5, 0.5) : (i % 4 - 2.5f) * 0.6f + random.Float(-1e-4, 1e-4);

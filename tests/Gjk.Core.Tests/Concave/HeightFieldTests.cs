@@ -10,7 +10,7 @@ public class HeightFieldTests
     {
         for (int seed = 0; seed < 20; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             int columns = 2 + random.Below(9), rows = 2 + random.Below(9);
             float[] heights = new float[columns * rows];
             for (int i = 0; i < heights.Length; i++) heights[i] = random.OneIn(3) ? 0 : random.Float(-0.5f, 0.5f);
@@ -72,7 +72,7 @@ public class HeightFieldTests
     {
         for (int seed = 0; seed < 30; seed++)
         {
-            var random = new FuzzRandom((ulong)(100 + seed));
+            var random = new Rng((ulong)(100 + seed));
             TriangleMesh before = seed % 3 == 0 ? ConcaveShapes.Torus(9, 7)
                 : seed % 3 == 1 ? ConcaveShapes.Soup(random, 40, 0.3)
                 : TriangleMesh.FromHeights(new float[30], 5, new Vector2(0.2f, 0.3f));

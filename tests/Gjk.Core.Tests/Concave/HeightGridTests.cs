@@ -10,7 +10,7 @@ public class HeightGridTests
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             RandomField field = RandomField.Make(random, size: MathF.Pow(2, random.Below(41) - 20));
             TriangleMesh found = field.Build(), expected = field.Listed();
             Assert.Equal(expected.TriangleCount, found.TriangleCount);
@@ -31,7 +31,7 @@ public class HeightGridTests
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            var random = new FuzzRandom((ulong)(1000 + seed));
+            var random = new Rng((ulong)(1000 + seed));
             RandomField field = RandomField.Make(random, size: 1);
             Vector3 scale = random.OneIn(3) ? random.Factors(0.5, 2) : Vector3.One;
             TriangleMesh found = field.Build().Scaled(scale), expected = field.Listed().Scaled(scale);
@@ -52,7 +52,7 @@ public class HeightGridTests
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            var random = new FuzzRandom((ulong)(2000 + seed));
+            var random = new Rng((ulong)(2000 + seed));
             RandomField made = RandomField.Make(random, size: 1);
             TriangleMesh mesh = made.Build();
             HeightField field = mesh.HeightField!;
@@ -94,7 +94,7 @@ public class HeightGridTests
         int inside = 0, outside = 0;
         for (int seed = 0; seed < 80; seed++)
         {
-            var random = new FuzzRandom((ulong)(3000 + seed));
+            var random = new Rng((ulong)(3000 + seed));
             float size = MathF.Pow(2, random.Below(41) - 20);
             RandomField field = RandomField.Make(random, size, hasBase: true);
             TriangleMesh mesh = field.Build();

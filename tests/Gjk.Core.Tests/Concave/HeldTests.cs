@@ -18,7 +18,7 @@ public class HeldTests
             new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2), Vector3.Zero)));
         for (int seed = 0; seed < 400; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             AnyShape field = Field(9, 0.5f, seed % 3 == 0 ? 0 : 0.06f, random);
 
             // Over lines of the grid and along them, as well as anywhere.
@@ -45,7 +45,7 @@ public class HeldTests
         Quaternion lying = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2);
         for (int seed = 0; seed < 100; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             float off = seed % 3 == 0 ? 0 : random.Float(-0.05, 0.05);
             Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6));
             RigidPose floor = seed % 4 == 0 ? RigidPose.Identity : new RigidPose(yaw, new Vector3(2, 0, 1));
@@ -81,11 +81,11 @@ public class HeldTests
         ];
         for (int seed = 0; seed < 40; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             TriangleMesh mesh = Solids.Named(name, seed);
             if (seed % 4 == 3) mesh = mesh.Scaled(new Vector3(-1, 1, 1));
             AnyShape body = AnyShape.Solid(mesh);
-            Quaternion turn = Rotations.Even(random);
+            Quaternion turn = random.Rotation();
             float depth = more > 0 ? more : random.Of(1e-4f, 2e-3f, 0.01f);
             var at = new RigidPose(
                 turn, new Vector3(random.Float(2, 3), -Solids.Lowest(mesh, turn) - depth, random.Float(2, 3)));
@@ -107,11 +107,11 @@ public class HeldTests
         int found = 0;
         for (int seed = 0; seed < 100; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             AnyShape a = AnyShape.Solid(Solids.Named("rock", seed));
             AnyShape b = AnyShape.Solid(Solids.Named("rock", 999 - seed));
             Vector3 way = Vector3.Normalize(random.Vector(1));
-            var start = new RigidPose(Rotations.Even(random), -3 * way);
+            var start = new RigidPose(random.Rotation(), -3 * way);
             CastHit hit = ConcaveQuery.Cast(a, RigidPose.Identity, default, b, start, 4 * way, _scratch);
             if (!hit.IsHit) continue;
             found++;
@@ -198,7 +198,7 @@ public class HeldTests
         Assert.True(lift > 0.4f * depth - 1e-5f, $"{where}: {lift} of {depth}; {string.Join("; ", _contacts)}");
     }
 
-    private static AnyShape Field(int n, float cell, float rough, FuzzRandom random)
+    private static AnyShape Field(int n, float cell, float rough, Rng random)
     {
         float[] heights = new float[n * n];
         for (int i = 0; i < heights.Length; i++) heights[i] = random.Float(-rough, rough);

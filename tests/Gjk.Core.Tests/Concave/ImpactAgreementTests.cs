@@ -15,7 +15,7 @@ public sealed class ImpactAgreementTests
         for (int i = 0; i < count; i++)
         {
             var rng = new Rng((ulong)(9000 + i));
-            Vector3 halfA = rng.Vector(0.2, 1), halfB = rng.Vector(0.2, 1), from = rng.Direction() * rng.Float(1, 4);
+            Vector3 halfA = rng.Vector(0.2, 1), halfB = rng.Vector(0.2, 1), from = rng.UnitVector() * rng.Float(1, 4);
             var poseA = new RigidPose(rng.Rotation(), rng.Vector(-1, 1));
             var poseB = new RigidPose(rng.Rotation(), poseA.Position + from);
             bool turns = i % 4 != 0;

@@ -29,7 +29,7 @@ public class MassTests
         int seen = 0;
         for (ulong seed = 1; seed <= 60; seed++)
         {
-            var random = new FuzzRandom(seed);
+            var random = new Rng(seed);
             Vector3[] cloud = seed % 2 == 0
                 ? Clouds.InBox(random, 4 + random.Below(40), new Vector3(1, random.Float(1e-3, 1), 1))
                 : MadeMeshes.Baked(random);
@@ -77,7 +77,7 @@ public class MassTests
     {
         for (ulong seed = 1; seed <= 200; seed++)
         {
-            var random = new FuzzRandom(seed);
+            var random = new Rng(seed);
             Vector3[] corners = [random.Vector(1), random.Vector(1), random.Vector(1)];
             MassProperties none = new TriangleMesh(corners, [0, 1, 2, 1, 0, 2]).Scaled(Uneven).GetMassProperties();
             Assert.Equal((0, 0, default), (none.Volume, none.Mass, none.InertiaDiagonal));

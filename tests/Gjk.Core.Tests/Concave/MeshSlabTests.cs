@@ -16,7 +16,7 @@ public class MeshSlabTests
             MeshSlab slab = Assert.IsType<MeshSlab>(mesh.Slab);
             for (int i = 0; i < 20; i++)
             {
-                Double3 along = slab.Normal + (Double3)rng.Direction() * (i == 0 ? 0 : Math.Pow(0.1, rng.Below(17)));
+                Double3 along = slab.Normal + (Double3)rng.UnitVector() * (i == 0 ? 0 : Math.Pow(0.1, rng.Below(17)));
                 double reach = slab.Reach(along), least = mesh.Reach(along, 1);
                 Assert.True(reach >= least, $"round {round}: {reach:R} is less than {least:R}");
                 if (i == 0) Assert.InRange(reach - least, 0, 1e-13 * mesh.Tree.Radius);
@@ -52,7 +52,7 @@ public class MeshSlabTests
         {
             Quaternion turn = rng.Rotation();
             Quaternion tilt = rng.Below(3) == 0
-                ? Quaternion.CreateFromAxisAngle(rng.Direction(), MathF.Pow(0.1f, 1 + rng.Below(6)))
+                ? Quaternion.CreateFromAxisAngle(rng.UnitVector(), MathF.Pow(0.1f, 1 + rng.Below(6)))
                 : Quaternion.Identity;
             Vector3 along = rng.Vector(-2, 2), far = rng.Below(4) == 0 ? rng.Vector(-1e3, 1e3) : default;
             along.Y = MathF.Pow(0.1f, rng.Below(10)) * rng.Float(-1, 1);

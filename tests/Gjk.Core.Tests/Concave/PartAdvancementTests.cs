@@ -16,7 +16,7 @@ public sealed class PartAdvancementTests
     [InlineData(7, 0, 0)]
     public void ItIsTheFirstOfAllPairs(ulong seed, float far, float tolerance)
     {
-        var random = new FuzzRandom(seed);
+        var random = new Rng(seed);
         TriangleMesh ring = Surfaces.Torus(Budget.Whole(18), 4).Build();
         TriangleMesh ball = Surfaces.Ball(Budget.Whole(12), 3, (_, _) => 0.4).Build();
         var offset = new Vector3(far, -far, far / 2);
@@ -30,7 +30,7 @@ public sealed class PartAdvancementTests
             float turns = i < 4 ? 1 : 12;
             Vector3 from = random.Vector(1);
             from *= (i == 5 ? 0.9f : 3) / from.Length();
-            RigidPose poseA = new(Rotations.Even(random), offset), poseB = new(Rotations.Even(random), offset + from);
+            RigidPose poseA = new(random.Rotation(), offset), poseB = new(random.Rotation(), offset + from);
             var motionA = new RigidMotion(poseA, random.Vector(0.3), turns * random.Vector(1));
             var motionB = new RigidMotion(
                 poseB, -1.4f * from + random.Vector(i % 2 == 0 ? 0.2 : 2), turns * random.Vector(1));

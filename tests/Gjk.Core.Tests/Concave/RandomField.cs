@@ -10,7 +10,7 @@ internal sealed class RandomField
     public bool IsZUp;
     public float? Base;
 
-    public static RandomField Make(FuzzRandom random, float size, bool? hasBase = null)
+    public static RandomField Make(Rng random, float size, bool? hasBase = null)
     {
         int columns = 2 + random.Below(9), rows = 2 + random.Below(9);
         var made = new RandomField
@@ -29,7 +29,7 @@ internal sealed class RandomField
         return made;
     }
 
-    public static float RandomHeight(FuzzRandom random, float size) =>
+    public static float RandomHeight(Rng random, float size) =>
         random.OneIn(3) ? 0 : random.Float(-0.5f, 0.5f) * size;
 
     public TriangleMesh Build() => TriangleMesh.FromHeights(

@@ -21,13 +21,13 @@ public class RayCrossingTests
         int doubled = 0, inside = 0, count = 0;
         for (ulong seed = 1; seed <= (ulong)Budget.Whole(25); seed++)
         {
-            var random = new FuzzRandom(seed);
+            var random = new Rng(seed);
             TriangleMesh unit = Make(name, (int)seed);
             float size = MathF.ScaleB(1, 20 * ((int)(seed % 3) - 1));
             TriangleMesh mesh = seed % 2 == 0 ? Solids.Scaled(unit, size) : unit.Scaled(new Vector3(size));
             RigidPose pose = seed % 4 < 2
                 ? RigidPose.Identity
-                : new RigidPose(Rotations.Even(random), random.Vector(size));
+                : new RigidPose(random.Rotation(), random.Vector(size));
             for (int i = 0; i < 12; i++)
             {
                 // Multiples of a power of two, so that a ray in the mesh's frame meets its target to the last bit.
@@ -111,9 +111,9 @@ public class RayCrossingTests
         int inside = 0;
         for (ulong seed = 1; seed <= 200; seed++)
         {
-            var random = new FuzzRandom(seed);
+            var random = new Rng(seed);
             Vector3 origin = random.Vector(2), direction = (Vector3)random.Direction();
-            var pose = new RigidPose(Rotations.Even(random), random.Vector(0.3));
+            var pose = new RigidPose(random.Rotation(), random.Vector(0.3));
             foreach (AnyShape shape in shapes)
             {
                 RayHit hit = ConcaveQuery.RayCast(shape, pose, origin, direction, _scratch, 0);
@@ -136,7 +136,7 @@ public class RayCrossingTests
     /// <summary>Holds the crossings to the exact winding number between all distances at which a triangle is
     /// met.</summary>
     private bool Check(
-        TriangleMesh mesh, in RigidPose pose, Vector3 origin, Vector3 direction, FuzzRandom random, string message)
+        TriangleMesh mesh, in RigidPose pose, Vector3 origin, Vector3 direction, Rng random, string message)
     {
         AnyShape solid = AnyShape.Solid(mesh);
         Assert.True(ConcaveQuery.RayCrossings(solid, pose, origin, direction, _scratch, _hits));
@@ -165,7 +165,7 @@ public class RayCrossingTests
         return starts;
     }
 
-    private static bool IsIn(Double3[] corners, in RigidPose pose, in Double3 point, FuzzRandom random) =>
+    private static bool IsIn(Double3[] corners, in RigidPose pose, in Double3 point, Rng random) =>
         ExactWinding.About(corners, pose, point, RigidPose.Identity, random) is not (null or 0);
 
     private static Double3[] Corners(TriangleMesh mesh)
@@ -203,7 +203,7 @@ public class RayCrossingTests
     }
 
     /// <summary>A corner, a place on an edge, or one in a triangle.</summary>
-    private static Vector3 Aim(TriangleMesh mesh, FuzzRandom random)
+    private static Vector3 Aim(TriangleMesh mesh, Rng random)
     {
         mesh.GetTriangle(random.Below(mesh.TriangleCount), out int a, out int b, out int c);
         Vector3 p = mesh.GetVertex(a), q = mesh.GetVertex(b), r = mesh.GetVertex(c);

@@ -66,8 +66,8 @@ public class RaySidesTests
             RigidPose pose = Generators.Pose(rng, rng.Vector(-2, 2));
             float size = (float)(shape.BoundingRadius + shape.Margin);
             var center = (Vector3)(new RotationD(pose.Rotation).Rotate(shape.Center) + pose.Position);
-            Vector3 origin = center + rng.Direction() * (size * rng.Float(0, 1));
-            var ray = new RayQuery(origin, rng.Direction(), i % 3 == 0 ? size : float.PositiveInfinity);
+            Vector3 origin = center + rng.UnitVector() * (size * rng.Float(0, 1));
+            var ray = new RayQuery(origin, rng.UnitVector(), i % 3 == 0 ? size : float.PositiveInfinity);
             RayCastResult solid = Ask(shape, pose, ray, RaySides.Both);
             RayCastResult exit = ConvexQuery.RayExit(shape, pose, origin, ray.Direction, ray.MaxDistance);
             bool isIn = solid.Status == CastStatus.OverlappingAtStart;
@@ -105,8 +105,8 @@ public class RaySidesTests
         AnyShape surface = AnyShape.Surface(mesh);
         for (ulong seed = 1; seed <= 400; seed++)
         {
-            var random = new FuzzRandom(seed);
-            var pose = new RigidPose(Rotations.Even(random), random.Vector(1));
+            var random = new Rng(seed);
+            var pose = new RigidPose(random.Rotation(), random.Vector(1));
             Aim(mesh, pose, random, out Vector3 origin, out Vector3 direction);
             string message = $"{name}, seed {seed}";
             RayHit both = ConcaveQuery.RayCast(surface, pose, origin, direction, _scratch);
@@ -173,8 +173,8 @@ public class RaySidesTests
         AnyShape solid = AnyShape.Solid(Solids.Named(name, 5));
         for (ulong seed = 1; seed <= 400; seed++)
         {
-            var random = new FuzzRandom(seed);
-            var pose = new RigidPose(Rotations.Even(random), random.Vector(1));
+            var random = new Rng(seed);
+            var pose = new RigidPose(random.Rotation(), random.Vector(1));
             Aim(solid.Mesh!, pose, random, out Vector3 origin, out Vector3 direction);
             Assert.True(ConcaveQuery.RayCrossings(solid, pose, origin, direction, _scratch, _hits));
             bool isIn = ConcaveQuery.Contains(solid, pose, origin, _scratch);
@@ -216,7 +216,7 @@ public class RaySidesTests
 
     /// <summary>A ray from near a triangle to near another one, in the world.</summary>
     private static void Aim(
-        TriangleMesh mesh, in RigidPose pose, FuzzRandom random, out Vector3 origin, out Vector3 direction)
+        TriangleMesh mesh, in RigidPose pose, Rng random, out Vector3 origin, out Vector3 direction)
     {
         Vector3 from = Middle(mesh, random.Below(mesh.TriangleCount)) + random.Vector(0.05);
         Vector3 to = Middle(mesh, random.Below(mesh.TriangleCount)) + random.Vector(0.05);

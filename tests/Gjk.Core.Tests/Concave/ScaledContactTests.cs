@@ -19,9 +19,9 @@ public class ScaledContactTests
         int found = 0;
         for (int i = 0; i < Budget.Whole(120); i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             int kindA = random.Below(6), kindB = random.Below(6);
-            Quaternion turn = Rotations.Even(random);
+            Quaternion turn = random.Rotation();
             Vector3 at = random.Vector(0.9);
             float gap = _gaps[i % 3];
             foreach (float factor in new[] { 1, MathF.ScaleB(1, exponent) })
@@ -46,9 +46,9 @@ public class ScaledContactTests
         int found = 0;
         for (int i = 0; i < 60; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             int kind = random.Below(6), tile = i % 3;
-            Quaternion turn = Rotations.Even(random);
+            Quaternion turn = random.Rotation();
             Vector3 at = new(random.Float(-0.3, 0.3), random.Float(0.3, 0.7), random.Float(-0.3, 0.3));
             foreach (float factor in new[] { 1, MathF.ScaleB(1, exponent) })
             {

@@ -32,7 +32,7 @@ internal static class SeamBodies
         return new TriangleMesh(points, indices);
     }
 
-    public static Quaternion Tilt(FuzzRandom random, double most) => Quaternion.Normalize(
+    public static Quaternion Tilt(Rng random, double most) => Quaternion.Normalize(
         new Quaternion(
             random.Float(-1, 1) * (float)most / 2, random.Float(-1, 1), random.Float(-1, 1) * (float)most / 2, 1));
 

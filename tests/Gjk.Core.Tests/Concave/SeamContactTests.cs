@@ -22,9 +22,9 @@ public class SeamContactTests
         {
             for (int seed = 0; seed < 6; seed++)
             {
-                var random = new FuzzRandom((ulong)(100 * cut + seed));
+                var random = new Rng((ulong)(100 * cut + seed));
                 AnyShape ground = AnyShape.Surface(SeamBodies.Plate(8, cut, (_, _) => 0));
-                Quaternion turn = seed == 0 ? Quaternion.Identity : Rotations.Even(random);
+                Quaternion turn = seed == 0 ? Quaternion.Identity : random.Rotation();
                 var at = new RigidPose(turn, seed % 2 == 0 ? Vector3.Zero : new Vector3(1e4f, -7e3f, 3e3f));
                 bool isTilted = seed >= 3;
                 for (int i = 0; i <= 48; i++)
@@ -51,7 +51,7 @@ public class SeamContactTests
     {
         // A tilt such as bodies at rest have: all corners within reach keep their points.
         AnyShape body = SeamBodies.Named(name);
-        var random = new FuzzRandom(7);
+        var random = new Rng(7);
         for (int i = 0; i < 40; i++)
         {
             TriangleMesh fine = SeamBodies.Plate(8, i % 4, (_, _) => 0);

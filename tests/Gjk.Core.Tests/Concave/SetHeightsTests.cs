@@ -12,7 +12,7 @@ public class SetHeightsTests
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             RandomField field = RandomField.Make(random, size: 1);
             Vector3 scale = random.OneIn(3) ? random.Factors(0.5, 2) : Vector3.One;
             TriangleMesh changed = field.Build().Scaled(scale);
@@ -41,7 +41,7 @@ public class SetHeightsTests
     {
         for (int seed = 0; seed < 80; seed++)
         {
-            var random = new FuzzRandom((ulong)(1000 + seed));
+            var random = new Rng((ulong)(1000 + seed));
             float size = MathF.Pow(2, random.Below(41) - 20);
             RandomField field = RandomField.Make(random, size);
             TriangleMesh mesh = field.Build();
@@ -75,7 +75,7 @@ public class SetHeightsTests
     public void OnlyTheBoxesAroundAChangeAreFitted()
     {
         const int Columns = 150;
-        var random = new FuzzRandom(7);
+        var random = new Rng(7);
         float[] heights = new float[Columns * Columns];
         for (int i = 0; i < heights.Length; i++) heights[i] = MathF.Sin(i % Columns * 0.1f) * MathF.Cos(i * 1e-3f);
         TriangleMesh mesh = TriangleMesh.FromHeights(heights, Columns, Vector2.One);
@@ -197,7 +197,7 @@ public class SetHeightsTests
     }
 
     /// <summary>Gives a rectangle of both other heights.</summary>
-    private static void Change(FuzzRandom random, RandomField field, TriangleMesh mesh, float size)
+    private static void Change(Rng random, RandomField field, TriangleMesh mesh, float size)
     {
         int column = random.Below(field.Columns), row = random.Below(field.Rows);
         int columns = 1 + random.Below(field.Columns - column), rows = 1 + random.Below(field.Rows - row);

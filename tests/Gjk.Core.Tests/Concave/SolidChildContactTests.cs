@@ -61,7 +61,7 @@ public class SolidChildContactTests
         List<PairContacts> contacts = [];
         for (int seed = 0; seed < 1000; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6.3));
             float depth = random.Float(0.001, 0.05);
             var at = new RigidPose(yaw, new Vector3(random.Float(-0.3, 0.3), 0.5f - depth, random.Float(-0.3, 0.3)));
@@ -110,7 +110,7 @@ public class SolidChildContactTests
     {
         for (int seed = 0; seed < Seeds / 5; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             var children = new CompoundPart[2 + random.Below(3)];
             for (int i = 0; i < children.Length; i++)
                 children[i] = new CompoundPart(SolidChildren.Any(random, 1).Shape, ConcaveShapes.Pose(random, 1));
@@ -165,7 +165,7 @@ public class SolidChildContactTests
     {
         (SolidChildren a, RigidPose poseA, _, RigidPose poseB, _) = SolidChildren.Setup(2);
         AnyShape shape = a.Shape, ball = AnyShape.Of(ConvexShape.Sphere(0.1f)), other = SolidChildren.Any(
-            new FuzzRandom(5), 1).Shape;
+            new Rng(5), 1).Shape;
         List<PairContacts> contacts = [];
         List<CastHit> hits = [];
         List<RayHit> rays = [];

@@ -148,7 +148,7 @@ public class SolidChildTests
         int crossed = 0;
         for (int seed = 0; seed < Seeds; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             SolidChildren a = SolidChildren.Any(random, 1, isAllSolid: true);
             RigidPose pose = ConcaveShapes.Pose(random, 1);
             Vector3 origin = random.Vector(2), way = Vector3.Normalize(pose.Position - origin);
@@ -184,7 +184,7 @@ public class SolidChildTests
     {
         for (int seed = 0; seed < Seeds; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             TriangleMesh mesh = Solids.Named(random.OneIn(2) ? "gear" : "rock", seed);
             RigidPose own = ConcaveShapes.Pose(random, 1), at = new(random.Vector(0.3) + own.Position);
             AnyShape solid = AnyShape.Solid(mesh);
@@ -205,7 +205,7 @@ public class SolidChildTests
     {
         for (int seed = 0; seed < Seeds / 8; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             SolidChildren a = SolidChildren.Any(random, 2, isAllSolid: true);
             double mass = a.Leaves.Sum(leaf => leaf.Shape.GetMassProperties(3).Mass);
             Double3 moment = default;

@@ -43,7 +43,7 @@ public class SolidTests
     [Fact]
     public void APointIsInATorusWhereTheFormulaSaysSo()
     {
-        var random = new FuzzRandom(7);
+        var random = new Rng(7);
         TriangleMesh fine = ConcaveShapes.Torus(96, 48);
         AnyShape solid = AnyShape.Solid(fine);
         int inside = 0;

@@ -61,7 +61,7 @@ internal static class Solids
 
     private static TriangleMesh Rock(int seed, float radius, float rough)
     {
-        var random = new FuzzRandom((ulong)seed);
+        var random = new Rng((ulong)seed);
         Vector3[] waves = [.. Enumerable.Range(0, 5).Select(_ => random.Vector(6))];
         return Ball(12, 20, d => radius * (1 + rough / 2 * waves.Sum(w => MathF.Sin(Vector3.Dot(w, d)))));
     }

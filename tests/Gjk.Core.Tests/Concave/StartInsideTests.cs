@@ -108,11 +108,11 @@ public class StartInsideTests
         var at = new RigidPose(new Vector3(-3, 0, -3));
         TriangleMesh mesh = ConcaveShapes.Box(new Vector3(0.3f, 0.2f, 0.25f));
         var body = AnyShape.Solid(mesh);
-        var random = new FuzzRandom(5);
+        var random = new Rng(5);
         int count = Budget.Whole(600);
         for (int i = 0; i < count; i++)
         {
-            Quaternion turn = Rotations.Even(random);
+            Quaternion turn = random.Rotation();
             float deep = random.Float(0.002f, 0.05f), height = -Solids.Lowest(mesh, turn) - deep;
             var from = new RigidPose(turn, new Vector3(random.Float(-0.5, 0.5), height, random.Float(-0.5, 0.5)));
             Vector3 down = new(random.Float(-0.5, 0.5), -0.2f, random.Float(-0.5, 0.5));
@@ -159,7 +159,7 @@ public class StartInsideTests
     [Fact]
     public void EveryStartInASolidIsOutAfterAFewWays()
     {
-        var random = new FuzzRandom(4701);
+        var random = new Rng(4701);
         var torus = AnyShape.Solid(ConcaveShapes.Torus(24, 16));
         var cube = AnyShape.Solid(ConcaveShapes.Box(new Vector3(0.7f)));
         int inside = 0;
@@ -172,7 +172,7 @@ public class StartInsideTests
                 1 => ConvexShape.Capsule(random.Float(0.02f, 0.2f), random.Float(0.02f, 0.2f)),
                 _ => ConvexShape.Box(new Vector3(random.Float(0.05f, 0.3f), 0.1f, 0.2f)),
             };
-            var pose = new RigidPose(Rotations.Even(random), random.Vector(1.2));
+            var pose = new RigidPose(random.Rotation(), random.Vector(1.2));
             for (int way = 0; ; way++)
             {
                 CastHit start = ConcaveQuery.Cast(

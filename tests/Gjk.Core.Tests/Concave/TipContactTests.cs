@@ -21,7 +21,7 @@ public class TipContactTests
         var ground = AnyShape.Surface(TriangleMesh.FromHeights(new float[41 * 41], 41, new Vector2(cell, cell)));
         for (int seed = 0; seed < 400; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             float depth = random.Of(0, 1e-3f, 1e-2f), radius = random.Float(0.3f, 1.2f);
             AnyShape body = AnyShape.Of(Named(name, radius));
             Quaternion own = Quaternion.Normalize(
@@ -58,11 +58,11 @@ public class TipContactTests
         int found = 0;
         for (int seed = 0; seed < 600; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             ConvexShape body = random.Of(
                 ConvexShape.Cylinder(0.4f, 0.7f), ConvexShape.Box(new Vector3(0.7f, 0.3f, 0.4f)),
                 ConvexShape.Cone(0.5f, 0.6f), SeamBodies.Named("hull").Convex);
-            Quaternion own = seed % 3 == 0 ? Quaternion.Identity : Rotations.Even(random);
+            Quaternion own = seed % 3 == 0 ? Quaternion.Identity : random.Rotation();
             var at = new RigidPose(own, 4 * Vector3.Normalize(random.Vector(1)) + random.Vector(1));
             DistanceResult apart = ConvexQuery.Distance(box, RigidPose.Identity, body, at);
             if (apart.IsOverlapping) continue;
@@ -85,7 +85,7 @@ public class TipContactTests
         AnyShape body = AnyShape.Of(ConvexShape.Ellipsoid(new Vector3(3, 2, 4)));
         for (int i = 0; i < 50; i++)
         {
-            var at = new RigidPose(Rotations.Even(new FuzzRandom((ulong)i)), new Vector3(0.1f * i - 2, 1.9f, 0.3f));
+            var at = new RigidPose(new Rng((ulong)i).Rotation(), new Vector3(0.1f * i - 2, 1.9f, 0.3f));
             ConcaveQuery.FindContacts(ground, RigidPose.Identity, body, at, Reach, _scratch, _contacts);
             Assert.NotEmpty(_contacts);
             for (int k = 1; k < _contacts.Count; k++) Assert.True(_contacts[k - 1].PartA < _contacts[k].PartA);
@@ -101,7 +101,7 @@ public class TipContactTests
         _ => ConvexShape.Box(new Vector3(radius, 0.6f, radius)),
     };
 
-    private static Quaternion Lean(string name, FuzzRandom random) => name switch
+    private static Quaternion Lean(string name, Rng random) => name switch
     {
         "cone" => Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI),
         "corner" => Quaternion.CreateFromYawPitchRoll(0.2f, random.Float(0.5f, 1), random.Float(0.5f, 1)),

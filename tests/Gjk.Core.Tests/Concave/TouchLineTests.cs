@@ -28,7 +28,7 @@ public class TouchLineTests
     [MemberData(nameof(Pairs))]
     public void AWheelHasItsLineAlone(string floor, string wheel)
     {
-        var rng = new FuzzRandom((ulong)(floor.Length + wheel.Length));
+        var rng = new Rng((ulong)(floor.Length + wheel.Length));
         int count = Budget.Count(300);
         for (int i = 0; i < count; i++)
         {
@@ -64,7 +64,7 @@ public class TouchLineTests
         int[] indices = edge == "border" ? [0, 1, 2] : [0, 1, 2, 0, 2, 3];
         AnyShape floor = AnyShape.Surface(new TriangleMesh(vertices, indices));
         AnyShape flat = AnyShape.Of(ConvexShape.Triangle(vertices[0], vertices[1], vertices[2]));
-        var rng = new FuzzRandom(5);
+        var rng = new Rng(5);
         int beside = 0;
         for (int i = 0; i < 200; i++)
         {
@@ -87,7 +87,7 @@ public class TouchLineTests
         }
     }
 
-    private static RigidPose OnFloor(FuzzRandom rng, string wheel, float depth, float x, float z)
+    private static RigidPose OnFloor(Rng rng, string wheel, float depth, float x, float z)
     {
         Quaternion turn = Quaternion.CreateFromAxisAngle(
                 Vector3.UnitY, rng.Of(0, MathF.PI / 4, MathF.PI / 2) * (x == 1.5f ? 0 : 1) + rng.Float(-0.06, 0.06))

@@ -6,7 +6,7 @@ public unsafe class TriangleLanesTests
     [Fact]
     public void BoundsAreNeverAboveTheDistance()
     {
-        var random = new FuzzRandom(8);
+        var random = new Rng(8);
         float* lanes = stackalloc float[2 * TriangleLanes.Stride];
         float* seeming = stackalloc float[8], bounds = stackalloc float[8];
         int tight = 0, apart = 0;
@@ -45,7 +45,7 @@ public unsafe class TriangleLanesTests
     [Fact]
     public void ParallelPlatesAreQuick()
     {
-        var random = new FuzzRandom(9);
+        var random = new Rng(9);
         var scratch = new ConcaveScratch();
         AnyShape plate = AnyShape.Surface(ConcaveShapes.Grid(64));
         for (int round = 0; round < 6; round++)

@@ -10,7 +10,7 @@ public class TriangleReachTests
         int within = 0, beyond = 0;
         for (int seed = 0; seed < Budget.Count(20_000); seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             Vector3 at = random.OneIn(3) ? random.Vector((float)random.Magnitude(1, 1e4)) : Vector3.Zero;
             float size = (float)random.Magnitude(1e-3, 1e3);
             Vector3 a = at + random.Vector(size), b = at + random.Vector(size), c = at + random.Vector(size);
@@ -48,7 +48,7 @@ public class TriangleReachTests
     {
         for (int seed = 0; seed < Budget.Count(20_000); seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             Double3 Any() => random.Direction() * random.Range(0.5, 1);
             Double3 a = Any(), b = Any(), c = a + (b - a) * random.Range(0, 1);
             Double3 point = a + (b - a) * random.Range(0, 1);

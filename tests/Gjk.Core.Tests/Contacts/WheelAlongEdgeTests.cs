@@ -92,7 +92,7 @@ public class WheelAlongEdgeTests
 
         public Crossing(int seed, string kind)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             this = default;
             Half = random.Float(0.05, 0.5);
             _angle = Math.Pow(10, random.Float(-7, -1.302)) * (random.OneIn(2) ? -1 : 1);

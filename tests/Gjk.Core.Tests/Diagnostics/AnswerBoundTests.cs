@@ -21,7 +21,7 @@ public class AnswerBoundTests
             TestPair p = Generators.Pair(i, [kind, "hull"]);
             ConvexShape a = p.A.Shape, b = p.B.Shape;
             PosedPair.Of(ref a, p.PoseA, ref b, p.PoseB, out PosedPair pair);
-            Double3 n = new Rng(i).Direction();
+            Double3 n = new Rng(i).UnitVector();
             Assert.True(PosedPair.TryUnit(n, out n));
             double error = Math.Abs(pair.Gap(ref a, ref b, n, out _) - TrueGap(p, n));
             worst = Math.Max(worst, error / pair.Noise);
@@ -46,7 +46,7 @@ public class AnswerBoundTests
             var rng = new Rng(i);
             TestPair p = Generators.Pair(i, ["hull", "box"]);
             ConvexShape a = p.A.Shape, b = p.B.Shape;
-            Double3 n = rng.Direction(), far = (Double3)rng.Direction() * rng.LogFloat(1, 1e12);
+            Double3 n = rng.UnitVector(), far = (Double3)rng.UnitVector() * rng.LogFloat(1, 1e12);
             Assert.True(PosedPair.TryUnit(n, out n));
             PosedPair.Of(ref a, p.PoseA, ref b, p.PoseB, out PosedPair pair);
             PosedPair back = pair.Moved(far).Moved(-far);

@@ -105,7 +105,7 @@ public class AnswerCheckTests
                 ? Generators.NearPair(90_000 + i, kinds, new Rng(i).LogFloat(1e-9, 1e-1) * (i % 2 == 0 ? 1 : -1))
                 : Generators.Pair(90_000 + i, kinds);
             (ConvexShape a, ConvexShape b) = (p.A.Shape, p.B.Shape);
-            Vector3 way = new Rng(i).Direction() * 3;
+            Vector3 way = new Rng(i).UnitVector() * 3;
             var warm = default(WarmStart);
             ConvexQuery.SignedDistance(b, p.PoseB, a, p.PoseA, ref warm);
             CheckedAnswer[] checks =

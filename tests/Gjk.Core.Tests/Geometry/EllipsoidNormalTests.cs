@@ -11,7 +11,7 @@ public class EllipsoidNormalTests
         {
             var rng = new Rng(51_000 + seed);
             var radii = new Double3(rng.LogFloat(0.1, 1), rng.LogFloat(0.1, 1), rng.LogFloat(0.1, 1));
-            Double3 point = Double3.Multiply(radii, (Double3)rng.Direction() * rng.Float(0, 1.2));
+            Double3 point = Double3.Multiply(radii, (Double3)rng.UnitVector() * rng.Float(0, 1.2));
             if (seed % 3 == 0) point = new Double3(seed % 2 == 0 ? 0 : point.X, point.Y, 0);
             if (seed % 7 == 0) point = new Double3(0, 0, point.Z);
             AssertNearest(radii, point, rng, seed);
@@ -54,7 +54,7 @@ public class EllipsoidNormalTests
         for (ulong seed = 0; seed < 50; seed++)
         {
             var rng = new Rng(seed);
-            AssertNearest(radii, Double3.Multiply(radii, (Double3)rng.Direction() * rng.Float(0, 1)), rng, seed);
+            AssertNearest(radii, Double3.Multiply(radii, (Double3)rng.UnitVector() * rng.Float(0, 1)), rng, seed);
         }
     }
 
@@ -65,7 +65,7 @@ public class EllipsoidNormalTests
         double way = Way(radii, point, normal), size = Math.Max(Math.Max(radii.X, radii.Y), radii.Z);
         for (int i = 0; i < 300; i++)
         {
-            Double3 other = i % 2 == 0 ? rng.Direction() : normal + (Double3)rng.Direction() * rng.Float(0, 0.01);
+            Double3 other = i % 2 == 0 ? rng.UnitVector() : normal + (Double3)rng.UnitVector() * rng.Float(0, 0.01);
             other *= 1 / other.Length;
             Assert.True(
                 way <= Way(radii, point, other) + 1e-14 * size, $"seed {seed}: {radii} {point}: {way:R} {normal}");

@@ -74,7 +74,7 @@ public class HullFacesTests
             ConvexHull hull = Generators.Shape(rng, i % 2 == 0 ? "made" : "bigHull").Shape.Hull!;
             for (int k = 0; k < 20; k++)
             {
-                Double3 d = rng.Direction();
+                Double3 d = rng.UnitVector();
                 List<int> ids = Show(hull, d);
                 Assert.Equal(ids.Count, ids.Distinct().Count());
                 if (ids.Count < 3) continue;

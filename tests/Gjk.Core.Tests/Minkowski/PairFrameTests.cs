@@ -212,7 +212,7 @@ public class PairFrameTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(Tries); seed++)
         {
             var rng = new Rng(seed);
-            Vector3 place = rng.Direction() * (float)position;
+            Vector3 place = rng.UnitVector() * (float)position;
             Posed a = Any(rng, place, offset), b = Any(rng, place, offset);
             examine(a, b, Compose(a, b));
         }
@@ -220,7 +220,7 @@ public class PairFrameTests
 
     private static Posed Any(Rng rng, Vector3 place, double offset)
     {
-        Vector3 middle = rng.Direction() * (float)offset;
+        Vector3 middle = rng.UnitVector() * (float)offset;
         Vector3[] cloud = Generators.Cloud(rng, 8, Vector3.One);
         var shape = ConvexShape.Mesh([.. cloud.Select(p => p + middle)]);
         return new Posed(shape, new RigidPose(rng.Rotation(), place + rng.Vector(-3, 3)));

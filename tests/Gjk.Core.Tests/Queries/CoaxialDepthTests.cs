@@ -253,7 +253,7 @@ public class CoaxialDepthTests
             0 => default,
             1 => y * rng.Float(-0.4, 0.4),
             2 => rng.Vector(-0.3, 0.3),
-            _ => rng.Direction() * rng.LogFloat(1e-9, 1e-2),
+            _ => rng.UnitVector() * rng.LogFloat(1e-9, 1e-2),
         };
         Quaternion turned = rng.Below(4) switch
         {

@@ -22,7 +22,7 @@ public class CornerDepthTests
         {
             var rng = new Rng(79_000 + seed);
             TestShape round = Round(rng, kind), cornered = Cornered(rng, out Vector3 corner);
-            Vector3 aside = seed % 3 == 0 ? Vector3.Zero : rng.Direction() * rng.LogFloat(1e-9, 1e-1);
+            Vector3 aside = seed % 3 == 0 ? Vector3.Zero : rng.UnitVector() * rng.LogFloat(1e-9, 1e-1);
             RigidPose pose = seed % 4 == 0 ? RigidPose.Identity : new RigidPose(rng.Rotation(), default);
             Quaternion turn = seed % 4 == 0 ? Quaternion.Identity : rng.Rotation();
             Vector3 at = Vector3.Transform(aside, pose.Rotation) - Vector3.Transform(corner, turn);
@@ -38,7 +38,7 @@ public class CornerDepthTests
         {
             var rng = new Rng(80_000 + seed);
             var points = new Vector3[200];
-            for (int i = 0; i < points.Length; i++) points[i] = rng.Direction();
+            for (int i = 0; i < points.Length; i++) points[i] = rng.UnitVector();
             TestShape ball = Round(rng, "nearly a ball"), mesh = TestShape.Mesh(points);
             Quaternion turn = rng.Rotation();
             var at = new RigidPose(turn, -Vector3.Transform(points[0], turn));
@@ -55,7 +55,7 @@ public class CornerDepthTests
             var rng = new Rng(81_000 + seed);
             float radius = rng.Float(0.2, 1);
             TestShape cornered = Cornered(rng, out Vector3 corner);
-            var at = new RigidPose(rng.Direction() * 0.01f - corner);
+            var at = new RigidPose(rng.UnitVector() * 0.01f - corner);
             DistanceResult ball = ConvexQuery.SignedDistance(
                 ConvexShape.Ellipsoid(new Vector3(radius)), RigidPose.Identity, cornered.Shape, at);
             DistanceResult sphere = ConvexQuery.SignedDistance(
@@ -113,7 +113,7 @@ public class CornerDepthTests
             case 2:
                 return TestShape.Triangle(half, rng.Vector(-1, 1), rng.Vector(-1, 1));
             default:
-                Vector3[] points = [.. Enumerable.Range(0, 4 + rng.Below(16)).Select(_ => rng.Direction())];
+                Vector3[] points = [.. Enumerable.Range(0, 4 + rng.Below(16)).Select(_ => rng.UnitVector())];
                 corner = points[0];
                 return TestShape.Mesh(points);
         }

@@ -15,9 +15,9 @@ public class GenerousRadiusTests
         {
             var rng = new Rng(seed);
             (Octahedron tight, Octahedron generous) = Twins(seed, radius);
-            RigidPose poseA = new(rng.Rotation(), Vector3.Zero), poseB = new(rng.Rotation(), rng.Direction() * 5);
+            RigidPose poseA = new(rng.Rotation(), Vector3.Zero), poseB = new(rng.Rotation(), rng.UnitVector() * 5);
             var other = new BoxShape(new Vector3(0.5f, 0.25f, 1));
-            Vector3 motion = -2 * poseB.Position + rng.Direction();
+            Vector3 motion = -2 * poseB.Position + rng.UnitVector();
             CastResult expected = ConvexQuery.Cast(tight, poseA, default, other, poseB, motion);
             CastResult found = ConvexQuery.Cast(generous, poseA, default, other, poseB, motion);
             Assert.True(expected.Status == found.Status, $"seed {seed}: {expected} {found}");
@@ -40,8 +40,8 @@ public class GenerousRadiusTests
             var rng = new Rng(seed);
             (Octahedron tight, Octahedron generous) = Twins(seed, radius);
             RigidPose pose = new(rng.Rotation(), Vector3.Zero);
-            Vector3 origin = rng.Direction() * (seed % 3 == 0 ? 1e5f : 5);
-            Vector3 toward = rng.Direction() - origin;
+            Vector3 origin = rng.UnitVector() * (seed % 3 == 0 ? 1e5f : 5);
+            Vector3 toward = rng.UnitVector() - origin;
             RayCastResult expected = ConvexQuery.RayCast(tight, pose, origin, toward, float.PositiveInfinity);
             RayCastResult found = ConvexQuery.RayCast(generous, pose, origin, toward, float.PositiveInfinity);
             Assert.True(expected.Status == found.Status, $"seed {seed}: {expected} {found}");
@@ -65,9 +65,9 @@ public class GenerousRadiusTests
         {
             var rng = new Rng(seed);
             (Octahedron tight, Octahedron generous) = Twins(seed, radius);
-            RigidPose poseA = new(rng.Rotation(), Vector3.Zero), poseB = new(rng.Rotation(), rng.Direction() * 5);
+            RigidPose poseA = new(rng.Rotation(), Vector3.Zero), poseB = new(rng.Rotation(), rng.UnitVector() * 5);
             var other = new BoxShape(new Vector3(0.5f, 0.25f, 1));
-            Vector3 motion = -2 * poseB.Position + 2 * rng.Direction();
+            Vector3 motion = -2 * poseB.Position + 2 * rng.UnitVector();
             CastResult expected = ConvexQuery.Cast(tight, poseA, default, other, poseB, motion, 1, options);
             CastResult found = ConvexQuery.Cast(generous, poseA, default, other, poseB, motion, 1, options);
             Assert.True(expected.Status == found.Status, $"seed {seed}: {expected} {found}");

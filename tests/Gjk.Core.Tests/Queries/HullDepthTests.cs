@@ -18,7 +18,7 @@ public class HullDepthTests
             {
                 var rng = new Rng(71_000 + seed);
                 RigidPose poseA = Generators.Pose(rng, default);
-                RigidPose poseB = Generators.Pose(rng, rng.Direction() * rng.LogFloat(1e-9, 1e-2));
+                RigidPose poseB = Generators.Pose(rng, rng.UnitVector() * rng.LogFloat(1e-9, 1e-2));
                 DistanceResult r = Depth(hull, poseA, hull, poseB);
                 double truth = FacetDepth.Of(hull, poseA, hull, poseB);
                 Assert.Equal(GjkStatus.Overlapping, r.Status);
@@ -37,7 +37,7 @@ public class HullDepthTests
         var smaller = new ConvexHull([.. Points(hull).Select(p => p * 0.7f)]);
         var rng = new Rng(72_000);
         RigidPose pose = Generators.Pose(rng, default), turned = Generators.Pose(rng, default);
-        RigidPose near = Generators.Pose(rng, rng.Direction() * 1e-3f);
+        RigidPose near = Generators.Pose(rng, rng.UnitVector() * 1e-3f);
         AssertDepth(hull, RigidPose.Identity, hull, RigidPose.Identity);
         AssertDepth(hull, RigidPose.Identity, smaller, RigidPose.Identity);
         AssertDepth(hull, pose, hull, turned);

@@ -40,13 +40,13 @@ public class LeaningDepthTests
         {
             var rng = new Rng(78_000 + seed);
             TestShape a = Body(rng), b = rng.Below(3) == 0 ? a : Body(rng);
-            Vector3 axis = rng.Direction();
+            Vector3 axis = rng.UnitVector();
             var turn = new Quaternion(axis.X * (float)lean / 2, 0, axis.Z * (float)lean / 2, 1);
-            Vector3 aside = rng.Below(2) == 0 ? Vector3.Zero : rng.Direction() * rng.LogFloat(1e-9, lean);
+            Vector3 aside = rng.Below(2) == 0 ? Vector3.Zero : rng.UnitVector() * rng.LogFloat(1e-9, lean);
             var pose = new RigidPose(turn, new Vector3(0, rng.Float(-0.3, 0.3), 0) + aside);
             var pair = new TestPair($"lean {lean}, seed {seed}", a, RigidPose.Identity, b, pose);
             WarmStart warm = default;
-            var beside = new RigidPose(turn, pose.Position + (rng.Direction() * 1e-3f));
+            var beside = new RigidPose(turn, pose.Position + (rng.UnitVector() * 1e-3f));
             ConvexQuery.SignedDistance(a.Shape, RigidPose.Identity, b.Shape, beside, ref warm);
             DistanceResult cold = pair.SignedDistance(), swapped = pair.Swapped.SignedDistance();
             DistanceResult again = ConvexQuery.SignedDistance(a.Shape, RigidPose.Identity, b.Shape, pose, ref warm);

@@ -83,7 +83,7 @@ public class OracleAgreementTests
             TestShape large = Generators.Shape(rng, "hull").Scaled(new((float)ratio));
             TestShape small = Generators.Shape(rng, "hull");
             RigidPose poseA = Generators.Pose(rng, rng.Vector(-1, 1)), turned = Generators.Pose(rng, default);
-            Double3 n = rng.Direction();
+            Double3 n = rng.UnitVector();
             double reach = new Body<ConvexShape>(large.Shape, poseA).Height(n) + rng.Range(-1, 1);
             var pair = new TestPair(
                 $"seed {8000 + i}", large, poseA, small,

@@ -37,7 +37,7 @@ public class PointPlacementTests
         TestShape b = Generators.Shape(rng, Kinds[rng.Below(Kinds.Length)]);
         (TestShape large, TestShape small) = a.Reach > b.Reach ? (a, b) : (b, a);
         Quaternion turn = rng.Rotation();
-        Vector3 direction = rng.Direction();
+        Vector3 direction = rng.UnitVector();
         Double3 place = rng.Below(4) switch
         {
             0 => (Double3)direction * (large.Reach * rng.LogFloat(1, 1e4)),
@@ -55,7 +55,7 @@ public class PointPlacementTests
     {
         var body = new Body<ConvexShape>(shape, new RigidPose(turn, default));
         shape.Support(body.InverseRotate(direction), out Double3 p);
-        shape.Support(body.InverseRotate(direction + rng.Direction() * 0.01f), out Double3 q);
+        shape.Support(body.InverseRotate(direction + rng.UnitVector() * 0.01f), out Double3 q);
         return body.Rotate(shape.Center + p + (q - p) * rng.Unit()) + (Double3)direction * shape.Margin;
     }
 

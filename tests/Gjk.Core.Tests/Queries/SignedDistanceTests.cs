@@ -79,8 +79,8 @@ public class SignedDistanceTests
     public void APairThatMovesIsAnsweredAsIfAskedForTheFirstTime() => Each(75_000, 200, (pair, rng) =>
     {
         var warm = default(WarmStart);
-        Vector3 velocity = rng.Direction() * (float)(0.03 * pair.Scale);
-        var turn = Quaternion.CreateFromAxisAngle(rng.Direction(), rng.Float(0, 0.1));
+        Vector3 velocity = rng.UnitVector() * (float)(0.03 * pair.Scale);
+        var turn = Quaternion.CreateFromAxisAngle(rng.UnitVector(), rng.Float(0, 0.1));
         RigidPose poseA = pair.PoseA;
         for (int frame = 0; frame < 10; frame++)
         {

@@ -14,7 +14,7 @@ public class SupportDirectionTests
     [Theory]
     [MemberData(nameof(Scales))]
     public void ShapesAtRandomPlaces(int exponent) =>
-        ForAllPairs(exponent, (rng, scale) => rng.Direction() * (rng.Float(0, 3) * scale), turned: true);
+        ForAllPairs(exponent, (rng, scale) => rng.UnitVector() * (rng.Float(0, 3) * scale), turned: true);
 
     [Theory]
     [MemberData(nameof(Scales))]
@@ -45,7 +45,7 @@ public class SupportDirectionTests
                     0 => rng.Vector(-1, 1) * scale,
                     1 => new Vector3(rng.Below(5) - 2, rng.Below(5) - 2, rng.Below(5) - 2) * (0.5f * scale),
                     2 => default,
-                    _ => rng.Direction() * (scale * rng.LogFloat(1e-20, 1)),
+                    _ => rng.UnitVector() * (scale * rng.LogFloat(1e-20, 1)),
                 };
                 Asked($"{kind} of {scale}, seed {seed}", says =>
                 {

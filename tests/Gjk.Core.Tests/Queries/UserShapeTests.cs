@@ -88,7 +88,7 @@ public class UserShapeTests
         {
             var rng = new Rng(seed);
             var ball = new Broken(d => center + (Vector3)(d * (1 / d.Length)), 0, 1.0001, center);
-            Vector3 away = rng.Direction() * rng.Float(2.01, 6);
+            Vector3 away = rng.UnitVector() * rng.Float(2.01, 6);
             DistanceResult r = ConvexQuery.Distance(ball, RigidPose.Identity, ball, new RigidPose(away));
             double truth = ((Double3)away).Length - 2;
             Assert.True(

@@ -10,8 +10,8 @@ public class WarmStartTests
     public void AMovingPairIsAnsweredAsIfAskedForTheFirstTime() => Each(92_000, (pair, rng) =>
     {
         var warm = default(WarmStart);
-        Vector3 velocity = rng.Direction() * (float)(0.05 * pair.Scale);
-        var turn = Quaternion.CreateFromAxisAngle(rng.Direction(), rng.Float(0, 0.2));
+        Vector3 velocity = rng.UnitVector() * (float)(0.05 * pair.Scale);
+        var turn = Quaternion.CreateFromAxisAngle(rng.UnitVector(), rng.Float(0, 0.2));
         RigidPose poseA = pair.PoseA;
         for (int frame = 0; frame < 12; frame++)
         {
@@ -58,7 +58,7 @@ public class WarmStartTests
         for (int k = 0; k < 4; k++)
         {
             var far = (float)Math.Max(pair.Scale, 1e-3);
-            Vector3 away = pair.PoseB.Position + rng.Direction() * 50 * far;
+            Vector3 away = pair.PoseB.Position + rng.UnitVector() * 50 * far;
             TestPair apart = pair with { PoseB = new RigidPose(pair.PoseB.Rotation, away) };
             DistanceResult r = ConvexQuery.Distance(
                 apart.A.Shape, apart.PoseA, apart.B.Shape, apart.PoseB, ref warm, far);
@@ -88,7 +88,7 @@ public class WarmStartTests
                 $"seed {seed}", round, RigidPose.Identity, TestShape.Sphere(r),
                 new RigidPose(new Vector3(wide + r, along, 0)));
             var warm = default(WarmStart);
-            var beside = new RigidPose(pair.PoseB.Position + (rng.Direction() * rng.Float(0, 1e-2)));
+            var beside = new RigidPose(pair.PoseB.Position + (rng.UnitVector() * rng.Float(0, 1e-2)));
             ConvexQuery.Distance(pair.A.Shape, pair.PoseA, pair.B.Shape, beside, ref warm);
             DistanceResult again = ConvexQuery.Distance(
                 pair.A.Shape, pair.PoseA, pair.B.Shape, pair.PoseB, ref warm);

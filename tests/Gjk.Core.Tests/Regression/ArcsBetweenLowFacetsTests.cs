@@ -23,7 +23,7 @@ public class ArcsBetweenLowFacetsTests
         {
             var rng = new Rng(76_000 + seed);
             RigidPose a = Generators.Pose(rng, default);
-            RigidPose b = Generators.Pose(rng, rng.Direction() * rng.LogFloat(1e-9, 0.1));
+            RigidPose b = Generators.Pose(rng, rng.UnitVector() * rng.LogFloat(1e-9, 0.1));
             DistanceResult r = ConvexQuery.SignedDistance(ConvexShape.Mesh(Ball), a, ConvexShape.Mesh(Ball), b);
             double truth = FacetDepth.Of(Ball, a, Ball, b);
             Assert.Equal(GjkStatus.Overlapping, r.Status);

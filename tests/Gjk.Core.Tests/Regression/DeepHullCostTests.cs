@@ -30,7 +30,7 @@ public class DeepHullCostTests
             hull.GetTriangle(rng.Below(hull.TriangleCount), out int a, out int b, out int c);
             Double3 origin = hull.GetVertex(a);
             Double3 d = Double3.Cross(hull.GetVertex(b) - origin, hull.GetVertex(c) - origin);
-            if (i % 2 == 1) d += (Double3)rng.Direction() * (d.Length * Math.Pow(10, -rng.Range(1, 18)));
+            if (i % 2 == 1) d += (Double3)rng.UnitVector() * (d.Length * Math.Pow(10, -rng.Range(1, 18)));
             int slot = hull.Cells.Tree!.Find(hull.Cells, d, hull.Cells.FirstSlot, out int more);
             steps += more;
             Assert.Equal(PlainScan.Furthest(hull.Cells, d), hull.Cells.Ids[slot]);

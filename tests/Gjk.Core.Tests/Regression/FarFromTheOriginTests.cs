@@ -31,7 +31,7 @@ public class FarFromTheOriginTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(200); seed++)
         {
             TestPair near = Generators.Pair(210_000 + seed, ["hull", "box", "capsule", "needle"]);
-            Vector3 away = new Rng(seed).Direction() * 1e5f;
+            Vector3 away = new Rng(seed).UnitVector() * 1e5f;
             var far = near with
             {
                 PoseA = new RigidPose(near.PoseA.Rotation, near.PoseA.Position + away),

@@ -17,11 +17,11 @@ public class FarLocalOriginTests
         for (ulong seed = 0; seed < (ulong)count; seed++)
         {
             var rng = new Rng(310_000 + seed);
-            Vector3 away = rng.Direction() * (float)offset;
+            Vector3 away = rng.UnitVector() * (float)offset;
             TestShape far = Far(rng, kind, away), box = TestShape.Box(rng.Vector(0.4, 1.5));
             RigidPose turned = Generators.Pose(rng, default);
             Double3 center = new RotationD(turned.Rotation).Rotate(far.Shape.Center);
-            var pose = new RigidPose(turned.Rotation, (Vector3)((Double3)rng.Direction() * rng.Range(1, 4) - center));
+            var pose = new RigidPose(turned.Rotation, (Vector3)((Double3)rng.UnitVector() * rng.Range(1, 4) - center));
             var pair = new TestPair($"{kind} {offset}, seed {seed}", far, pose, box, RigidPose.Identity);
             string? problem = OracleVerdict.Problem(pair, out ExactAnswer exact) ?? OracleVerdict.Problem(
                 pair.Swapped, out _);

@@ -48,7 +48,7 @@ public class FlatFaceCostTests
             int steps = 0;
             for (int i = 0; i < Count; i++)
             {
-                Double3 d = (Double3)axis + (Double3)rng.Direction() * Math.Pow(10, exponent);
+                Double3 d = (Double3)axis + (Double3)rng.UnitVector() * Math.Pow(10, exponent);
                 int slot = hull.Cells.Tree!.Find(hull.Cells, d, hull.Cells.FirstSlot, out int more);
                 steps += more;
                 Assert.Equal(PlainScan.Furthest(hull.Cells, d), hull.Cells.Ids[slot]);

@@ -34,9 +34,9 @@ public class FlatNeedleDepthTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(2000); seed++)
         {
             var rng = new Rng(77_000 + seed);
-            Vector3 end = rng.Direction();
+            Vector3 end = rng.UnitVector();
             var tilt = new RigidPose(
-                new Quaternion(rng.Direction() * rng.LogFloat(1e-10, 1e-3), 1), end * (0.25f * rng.Below(3)));
+                new Quaternion(rng.UnitVector() * rng.LogFloat(1e-10, 1e-3), 1), end * (0.25f * rng.Below(3)));
             ConvexShape segment = ConvexShape.Segment(end, -end);
             DistanceResult r = ConvexQuery.SignedDistance(segment, RigidPose.Identity, segment, tilt);
             WarmStart warm = default;

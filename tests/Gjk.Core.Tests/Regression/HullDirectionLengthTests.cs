@@ -71,7 +71,7 @@ public class HullDirectionLengthTests
 
     private static ConvexHull Hull(ulong seed)
     {
-        var random = new FuzzRandom(seed);
+        var random = new Rng(seed);
         Vector3[] cloud = MadeMeshes.Any(random);
         float size = (float)random.Of(1, 1, 1e-38, 1e37);
         return new ConvexHull(Array.ConvertAll(cloud, p => seed % 7 == 0 ? size * p with { Z = 1 } : size * p));

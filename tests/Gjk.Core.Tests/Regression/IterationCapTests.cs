@@ -17,13 +17,13 @@ public class IterationCapTests
         ConvexShape[] hulls =
         [
             .. Enumerable.Range(0, 4).Select(
-                _ => ConvexShape.Mesh([.. Enumerable.Range(0, vertices).Select(_ => rng.Direction() * 0.5f)]))
+                _ => ConvexShape.Mesh([.. Enumerable.Range(0, vertices).Select(_ => rng.UnitVector() * 0.5f)]))
         ];
         int overlaps = 0, most = 0, count = Budget.Count(1000);
         for (int i = 0; i < count; i++)
         {
             RigidPose a = Generators.Pose(rng, default);
-            RigidPose b = Generators.Pose(rng, rng.Direction() * rng.Float(0.2, 1.6));
+            RigidPose b = Generators.Pose(rng, rng.UnitVector() * rng.Float(0.2, 1.6));
             DistanceResult r = ConvexQuery.Distance(hulls[i % 4], a, hulls[i / 4 % 4], b);
             Assert.True(r.Status is GjkStatus.Separated or GjkStatus.Overlapping, $"pair {i}: {r.Status}");
             most = Math.Max(most, r.Iterations);

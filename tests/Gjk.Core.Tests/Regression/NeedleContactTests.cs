@@ -13,7 +13,7 @@ public class NeedleContactTests
             Vector3 axis = rng.Vector(-1, 1);
             var corners = new Vector3[4];
             for (int i = 0; i < 4; i++)
-                corners[i] = axis * rng.Float(-1, 1) + rng.Direction() * rng.LogFloat(1e-9, 1e-3);
+                corners[i] = axis * rng.Float(-1, 1) + rng.UnitVector() * rng.LogFloat(1e-9, 1e-3);
             ConvexShape needle = ConvexShape.Mesh(corners);
             var pose = new RigidPose(rng.Rotation(), rng.Vector(-1, 1));
             Vector3 at = Vector3.Transform(

@@ -95,7 +95,7 @@ public class NeedlePointTests
         ulong seed, Rng rng, in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB)
     {
         float size = (float)(a.BoundingRadius + b.BoundingRadius);
-        Vector3 way = rng.Direction() * (2 * size), aside = rng.Direction() * (rng.LogFloat(1e-8, 0.3) * size);
+        Vector3 way = rng.UnitVector() * (2 * size), aside = rng.UnitVector() * (rng.LogFloat(1e-8, 0.3) * size);
         var start = new RigidPose(poseB.Rotation, poseB.Position - way + aside);
         CastResult cast = ConvexQuery.Cast(a, poseA, default, b, start, way * 2);
         Hold(seed, "cast", AnswerCheck.Cast(a, poseA, default, b, start, way * 2, cast), a, poseA, b, start);
@@ -116,7 +116,7 @@ public class NeedlePointTests
         for (int i = 0; i < 2; i++)
         {
             DistanceResult r = ConvexQuery.SignedDistance(a, poseA, b, poseB);
-            Double3 normal = r.Normal == default ? rng.Direction() : r.Normal;
+            Double3 normal = r.Normal == default ? rng.UnitVector() : r.Normal;
             double size = a.BoundingRadius + b.BoundingRadius, deep = rng.Below(3) > 0 ? a.Margin + b.Margin : 0;
             double gap = rng.Below(3) == 0 ? 0 : (rng.Below(2) == 0 ? 1 : -1) * rng.LogFloat(1e-14, 1e-3) * size;
             Double3 exact = poseB.Position + normal * (gap - r.Distance - deep);
@@ -129,7 +129,7 @@ public class NeedlePointTests
     private static ConvexShape Thin(Rng rng)
     {
         int count = 2 + rng.Below(5);
-        Vector3 along = rng.Direction(), across = rng.Direction();
+        Vector3 along = rng.UnitVector(), across = rng.UnitVector();
         float thickness = rng.Below(3) == 0 ? rng.LogFloat(1e-9, 1e-4) : 0, scale = rng.LogFloat(0.1, 1000);
         var corners = new Vector3[count];
         for (int i = 0; i < count; i++)
@@ -149,7 +149,7 @@ public class NeedlePointTests
     {
         0 => ConvexShape.Point(),
         1 => ConvexShape.Sphere(rng.LogFloat(0.1, 1000)),
-        2 => ConvexShape.Segment(rng.Direction(), rng.Direction()),
+        2 => ConvexShape.Segment(rng.UnitVector(), rng.UnitVector()),
         3 => ConvexShape.Capsule(rng.LogFloat(1e-3, 100), rng.LogFloat(1e-3, 100)),
         4 => ConvexShape.Box(rng.Vector(0, 1)),
         5 => Thin(rng),

@@ -42,7 +42,7 @@ public class NeedleTouchTests
             var warm = default(WarmStart);
             Vector3 position = seed == 0
                 ? new Vector3(0.013591403f, 0.013591402f, 0.0135914f)
-                : pair.PoseB.Position + rng.Direction() * rng.LogFloat(1e-9, 1);
+                : pair.PoseB.Position + rng.UnitVector() * rng.LogFloat(1e-9, 1);
             var elsewhere = new RigidPose(Quaternion.Conjugate(pair.PoseB.Rotation), position);
             ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, elsewhere, ref warm);
             DistanceResult r = ConvexQuery.Distance(pair.A, pair.PoseA, pair.B, pair.PoseB, ref warm);

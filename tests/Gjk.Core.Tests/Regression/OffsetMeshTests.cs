@@ -31,7 +31,7 @@ public class OffsetMeshTests
 
     private static TestShape Mesh(Rng rng, double offset)
     {
-        Vector3 away = rng.Direction() * (float)offset;
+        Vector3 away = rng.UnitVector() * (float)offset;
         return TestShape.Mesh([.. Generators.Cloud(rng, 8, new Vector3(0.5f)).Select(p => p + away)]);
     }
 }

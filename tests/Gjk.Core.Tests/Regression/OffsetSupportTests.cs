@@ -22,7 +22,7 @@ public class OffsetSupportTests
                 // Two vertices are level but for a little, less than the rounding of absolute heights.
                 hull.GetVertex(rng.Below(hull.VertexCount), out Double3 p);
                 hull.GetVertex(rng.Below(hull.VertexCount), out Double3 q);
-                Double3 d = Double3.Cross(p - q, (Double3)rng.Direction()) + (Double3)rng.Direction() * 1e-12;
+                Double3 d = Double3.Cross(p - q, (Double3)rng.UnitVector()) + (Double3)rng.UnitVector() * 1e-12;
                 HullSupport.Find(hull.Cells, d, out Double3 point);
                 double behind = cloud.Max(c => Height((Double3)c - point, d));
                 double reach = cloud.Max(c => ((Double3)c - point).Length) * d.Length;

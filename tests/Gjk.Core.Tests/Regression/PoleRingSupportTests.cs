@@ -21,7 +21,7 @@ public class PoleRingSupportTests
         for (int i = 0; i < 1000; i++)
         {
             // The faces lie up to 0.05 below the sphere of radius 1.
-            var pose = new RigidPose(Quaternion.Identity, rng.Direction() * 2.5f);
+            var pose = new RigidPose(Quaternion.Identity, rng.UnitVector() * 2.5f);
             DistanceResult r = ConvexQuery.Distance(sphere, RigidPose.Identity, ball, pose);
             Assert.True(r.Status == GjkStatus.Separated, $"{r.Status} at {pose.Position}");
             Assert.InRange(r.Distance, 0.999f, 1.06f);
@@ -37,7 +37,7 @@ public class PoleRingSupportTests
     {
         for (ulong seed = 0; seed < 150; seed++)
         {
-            var random = new FuzzRandom(seed);
+            var random = new Rng(seed);
             Vector3[] cloud = kind switch
             {
                 "egg" => Lathe.Egg(random),

@@ -51,7 +51,7 @@ public class SliverTests
             var rng = new Rng(seed);
             var segment = ConvexShape.Segment(rng.Vector(-1, 1), rng.Vector(-1, 1));
             float turn = rng.LogFloat(1e-9, 1e-3);
-            var nudged = new RigidPose(new(turn, -turn, turn, 1), rng.Direction() * rng.LogFloat(1e-12, 1e-3));
+            var nudged = new RigidPose(new(turn, -turn, turn, 1), rng.UnitVector() * rng.LogFloat(1e-12, 1e-3));
             AssertExact(new QueryRecord(segment, RigidPose.Identity, segment, nudged));
         }
     }

@@ -13,7 +13,7 @@ public class SphereCentreTests
             var rng = new Rng(seed);
             ConvexShape a = ConvexShape.Sphere(rng.Float(0.1, 1));
             ConvexShape b = ConvexShape.Sphere(rng.Below(3) == 0 ? 0 : rng.Float(0.1, 1));
-            var pose = new RigidPose(rng.Direction() * rng.LogFloat(1e-18, 1));
+            var pose = new RigidPose(rng.UnitVector() * rng.LogFloat(1e-18, 1));
             DistanceResult plain = ConvexQuery.Distance(a, RigidPose.Identity, b, pose);
             DistanceResult whole = ConvexQuery.Distance(a, RigidPose.Identity, b, pose, out FinalSimplex simplex);
             Assert.Equal(ResultBits.Of(whole), ResultBits.Of(plain));

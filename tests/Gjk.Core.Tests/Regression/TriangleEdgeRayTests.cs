@@ -37,12 +37,12 @@ public class TriangleEdgeRayTests
         int hits = 0;
         for (int i = 0; i < Rays; i++)
         {
-            Vector3 a = rng.Direction(), c = rng.Direction() * rng.Float(0.1, 1);
-            Vector3 b = i % 2 == 0 ? rng.Direction() * rng.Float(0.1, 1) : a + rng.Direction() * rng.Float(1e-4, 1e-2);
+            Vector3 a = rng.UnitVector(), c = rng.UnitVector() * rng.Float(0.1, 1);
+            Vector3 b = i % 2 == 0 ? rng.UnitVector() * rng.Float(0.1, 1) : a + rng.UnitVector() * rng.Float(1e-4, 1e-2);
             Vector3 edge = i % 3 == 0 ? c - b : a - c, aim = c + (i % 4 < 2 ? default : (a - c) * rng.Float(0, 1));
-            Vector3 to = Vector3.Normalize(edge) + rng.Direction() * rng.LogFloat(1e-4, 1);
+            Vector3 to = Vector3.Normalize(edge) + rng.UnitVector() * rng.LogFloat(1e-4, 1);
             Vector3 origin = aim - to * rng.Float(0.1, 2);
-            Vector3 off = rng.Direction() * rng.LogFloat(1e-9, 3e-8);
+            Vector3 off = rng.UnitVector() * rng.LogFloat(1e-9, 3e-8);
             ConvexShape triangle = ConvexShape.Triangle(a, b, c);
             var pose = new RigidPose(origin + to - aim + off);
             RayCastResult ray = ConvexQuery.RayCast(triangle, pose, origin, to);

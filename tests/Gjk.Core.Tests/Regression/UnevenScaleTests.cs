@@ -79,7 +79,7 @@ public class UnevenScaleTests
         var rng = new Rng(11);
         for (int i = 0; i < 50; i++)
         {
-            RigidPose pose = Generators.Pose(rng, rng.Direction() * rng.Float(2, 4));
+            RigidPose pose = Generators.Pose(rng, rng.UnitVector() * rng.Float(2, 4));
             var box = ConvexShape.Box(rng.Vector(0.1, 0.7));
             DistanceResult expected = ConvexQuery.Distance(ConvexShape.Cylinder(1, 1), RigidPose.Identity, box, pose);
             DistanceResult r = ConvexQuery.Distance(scaled, RigidPose.Identity, box, pose);

@@ -22,7 +22,7 @@ public class UnitNormalTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(1000); seed++)
         {
             var rng = new Rng(81_000 + seed);
-            Vector3 offset = rng.Direction() * rng.LogFloat(1e-15, 1e-9);
+            Vector3 offset = rng.UnitVector() * rng.LogFloat(1e-15, 1e-9);
             var pose = new RigidPose(new Vector3(offset.X, rng.Float(-0.4, 0.4), offset.Z));
             TestShape a = Generators.Shape(rng, seed % 2 == 0 ? "cylinder" : "cone");
             TestShape b = Generators.Shape(rng, seed % 3 == 0 ? "capsule" : seed % 3 == 1 ? "cylinder" : "point");

@@ -17,7 +17,7 @@ public class WitnessPointTests
             var rng = new Rng(320_000 + seed);
             TestShape large = TestShape.Mesh(Generators.Cloud(rng, 8, new Vector3(ratio)));
             TestShape small = TestShape.Mesh(Generators.Cloud(rng, 8, Vector3.One));
-            RigidPose pose = Generators.Pose(rng, rng.Direction() * rng.Float(0.2, 1.5) * ratio);
+            RigidPose pose = Generators.Pose(rng, rng.UnitVector() * rng.Float(0.2, 1.5) * ratio);
             var pair = new TestPair(
                 $"seed {seed}, ratio {ratio}", large, Generators.Pose(rng, rng.Vector(-1, 1)), small, pose);
             foreach (TestPair p in new[] { pair, pair.Swapped })
@@ -46,7 +46,7 @@ public class WitnessPointTests
             TestShape a = TestShape.Box(rng.Vector(0.1, 1));
             TestShape b = Generators.Shape(rng, new[] { "box", "hull", "capsule", "triangle" }[rng.Below(4)]);
             RigidPose poseA = Generators.Pose(rng, rng.Vector(-1, 1));
-            RigidPose poseB = Generators.Pose(rng, rng.Direction() * distance);
+            RigidPose poseB = Generators.Pose(rng, rng.UnitVector() * distance);
             DistanceResult r = ConvexQuery.Distance(a.Shape, poseA, b.Shape, poseB);
             double outsideA = new Body<ConvexShape>(a.Shape, poseA).Outside(r.LocalPointA);
             double outsideB = new Body<ConvexShape>(b.Shape, poseB).Outside(r.LocalPointB);

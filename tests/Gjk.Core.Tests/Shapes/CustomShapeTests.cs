@@ -15,7 +15,7 @@ public class CustomShapeTests
         int overlapping = 0;
         for (int i = 0; i < 300; i++)
         {
-            RigidPose a = new(rng.Rotation(), rng.Direction()), b = new(rng.Rotation(), 1.1f * rng.Direction());
+            RigidPose a = new(rng.Rotation(), rng.UnitVector()), b = new(rng.Rotation(), 1.1f * rng.UnitVector());
             DistanceResult expected = ConvexQuery.SignedDistance(typed, a, other, b);
             Assert.Equal(expected.Distance, ConvexQuery.SignedDistance(custom, a, other, b).Distance, 4e-6f);
             Assert.Equal(

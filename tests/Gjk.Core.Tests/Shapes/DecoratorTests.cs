@@ -64,12 +64,12 @@ public class DecoratorTests
                 TestShape inner = Generators.Shape(rng, plain);
                 Vector3 s = rng.Vector(0.3, 2) * new Vector3(-1, 1, 1);
                 ConvexShape scaled = inner.Scaled(s).Shape;
-                Double3 d = rng.Direction();
+                Double3 d = rng.UnitVector();
                 scaled.Support(d, out Double3 best);
                 best += scaled.Center;
                 for (int i = 0; i < 50; i++)
                 {
-                    Double3 u = rng.Direction();
+                    Double3 u = rng.UnitVector();
                     inner.Shape.Support(u, out Double3 core);
                     core += inner.Shape.Center;
                     Double3 p = Double3.Multiply(core + u * (inner.Shape.Margin / u.Length), s);
@@ -122,7 +122,7 @@ public class DecoratorTests
         var rng = new Rng(9);
         for (int i = 0; i < 200; i++)
         {
-            Double3 d = rng.Direction();
+            Double3 d = rng.UnitVector();
             Assert.Equal(shape.Support(d, out Double3 p), tagged.Support(d, out Double3 q));
             Assert.True(p == q, $"{typeof(T).Name} in {d}: {p}, ConvexShape {q}");
         }

@@ -148,7 +148,7 @@ public class PlacedTests
 
         Assert.True(same > 0.9 * count, $"{same} of {count} took as many supports");
 
-        RigidPose Pose(float distance) => new(rng.Rotation(), distance * rng.Direction());
+        RigidPose Pose(float distance) => new(rng.Rotation(), distance * rng.UnitVector());
     }
 
     [Fact]
@@ -200,7 +200,7 @@ public class PlacedTests
         {
             var scene = new CollisionScene(kind);
             var rng = new Rng(7);
-            RigidPose[] poses = [.. shapes.Select(_ => new RigidPose(rng.Rotation(), 6 * rng.Direction()))];
+            RigidPose[] poses = [.. shapes.Select(_ => new RigidPose(rng.Rotation(), 6 * rng.UnitVector()))];
             for (int i = 0; i < shapes.Length; i++) scene.Add(shapes[i], poses[i]);
             var found = new List<PairDistance>();
             scene.FindPairsWithin(float.PositiveInfinity, found);
@@ -270,10 +270,10 @@ public class PlacedTests
         var rng = new Rng(11);
         for (int i = 0; i < 200; i++)
         {
-            Double3 d = rng.Direction();
+            Double3 d = rng.UnitVector();
             Assert.Equal(typed.Support(d, out Double3 p), shape.Support(d, out Double3 q));
             Assert.Equal(p, q);
-            var pose = new RigidPose(rng.Rotation(), 12 * rng.Direction());
+            var pose = new RigidPose(rng.Rotation(), 12 * rng.UnitVector());
             DistanceResult a = ConvexQuery.Distance(typed, RigidPose.Identity, new SphereShape(1), pose);
             DistanceResult b = ConvexQuery.Distance(shape, RigidPose.Identity, ConvexShape.Sphere(1), pose);
             Assert.Equal(ResultBits.Of(a), ResultBits.Of(b));

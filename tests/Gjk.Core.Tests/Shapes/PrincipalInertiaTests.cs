@@ -9,12 +9,12 @@ public class PrincipalInertiaTests
     {
         for (ulong seed = 1; seed <= 400; seed++)
         {
-            var random = new FuzzRandom(seed);
+            var random = new Rng(seed);
             Vector3 half = seed % 4 == 0
                 ? new Vector3(1, 1, random.Float(1e-3, 2))
                 : new Vector3(random.Float(1e-3, 2), random.Float(1e-3, 2), 1);
             MassProperties plain = ConvexShape.Box(half).GetMassProperties(3);
-            MassProperties turned = plain.At(new RigidPose(Rotations.Even(random), random.Vector(2)));
+            MassProperties turned = plain.At(new RigidPose(random.Rotation(), random.Vector(2)));
             turned.GetPrincipalInertia(out Double3 moments, out Quaternion axes);
             double[] found = [moments.X, moments.Y, moments.Z], known =
                 [plain.InertiaDiagonal.X, plain.InertiaDiagonal.Y, plain.InertiaDiagonal.Z];

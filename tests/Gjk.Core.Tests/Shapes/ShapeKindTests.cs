@@ -34,7 +34,7 @@ public class ShapeKindTests
         var corners = new Vector3[4000];
         for (int i = 0; i < corners.Length; i++)
         {
-            Vector3 direction = rng.Direction();
+            Vector3 direction = rng.UnitVector();
             shape.Support(direction, out Double3 point);
             corners[i] = (Vector3)(shape.Center + point + (Double3)direction * shape.Margin);
         }

@@ -101,7 +101,7 @@ public class SupportTests
         for (int i = 0; i < 2000; i++)
         {
             double angle = rng.Range(0, 2 * Math.PI), t = rng.Range(-1, 1), x = Math.Cos(angle), z = Math.Sin(angle);
-            Double3 d = rng.Direction();
+            Double3 d = rng.UnitVector();
             AssertBelow(new CylinderShape(0.7f, 1.3f), d, new Double3(0.7f * x, t * 1.3f, 0.7f * z));
             AssertBelow(
                 new ConeShape(0.7f, 1.3f), d, new Double3(0.7f * x * (1 - t) / 2, t * 1.3f, 0.7f * z * (1 - t) / 2));
@@ -162,6 +162,6 @@ public class SupportTests
     {
         foreach (Double3 d in Directions.Many) examine(d);
         var rng = new Rng(seed);
-        for (int i = 0; i < RandomDirections; i++) examine(rng.Direction());
+        for (int i = 0; i < RandomDirections; i++) examine(rng.UnitVector());
     }
 }

@@ -89,7 +89,7 @@ public class TaperedCapsuleTests
             var rng = new Rng(30_000 + seed);
             Sizes a = Sizes.Any(rng);
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
-            Vector3 from = pose.Position + rng.Direction() * 4, way = pose.Position + rng.Vector(-0.7, 0.7) - from;
+            Vector3 from = pose.Position + rng.UnitVector() * 4, way = pose.Position + rng.Vector(-0.7, 0.7) - from;
             Double3 unit = (Double3)way * (1 / ((Double3)way).Length);
             TaperedBody body = a.At(pose);
             double truth = Meeting(t => body.Distance((Double3)from + unit * t), 20);
@@ -111,7 +111,7 @@ public class TaperedCapsuleTests
         {
             var rng = new Rng(40_000 + seed);
             Sizes a = Sizes.Any(rng), b = Sizes.Any(rng);
-            RigidPose pose = Generators.Pose(rng, default), still = Generators.Pose(rng, rng.Direction() * 4);
+            RigidPose pose = Generators.Pose(rng, default), still = Generators.Pose(rng, rng.UnitVector() * 4);
             Vector3 motion = still.Position + rng.Vector(-1.5, 1.5);
             TaperedBody moving = a.At(pose), target = b.At(still);
             double way = ((Double3)motion).Length;

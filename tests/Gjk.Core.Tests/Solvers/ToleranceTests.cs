@@ -176,7 +176,7 @@ public class ToleranceTests
         for (int i = 0; i < 20000; i++)
         {
             // A frame that is turned at random, so that no product is exact.
-            Double3 along = rng.Direction(), across = Double3.Cross(along, rng.Direction());
+            Double3 along = rng.UnitVector(), across = Double3.Cross(along, rng.UnitVector());
             Double3 away = Double3.Cross(along, across) * (1.0 / (1 << 20));
             across *= rng.LogFloat(1e-4, 1);
             Double3[] v = [.. new[] { -0.4, 0.5, rng.Range(-1, 1) }.Select(

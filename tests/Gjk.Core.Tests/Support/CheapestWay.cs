@@ -25,7 +25,7 @@ internal static class CheapestWay
 
         Double3 Direction()
         {
-            Double3 way = rng.Direction();
+            Double3 way = rng.UnitVector();
             return way * (1 / way.Length);
         }
 

@@ -14,15 +14,15 @@ internal static class ConcaveShapes
     public static TriangleMesh Box(Vector3 half) => Surfaces.Box(half).Build();
 
     /// <inheritdoc cref="Surfaces.Soup"/>
-    public static TriangleMesh Soup(FuzzRandom random, int count, double size) =>
+    public static TriangleMesh Soup(Rng random, int count, double size) =>
         Surfaces.Soup(random, count, size).Build();
 
-    public static CompoundShape Compound(FuzzRandom random, int count)
+    public static CompoundShape Compound(Rng random, int count)
     {
         var parts = new CompoundPart[count];
         for (int i = 0; i < count; i++)
         {
-            var pose = new RigidPose(Rotations.Even(random), random.Vector(1));
+            var pose = new RigidPose(random.Rotation(), random.Vector(1));
             float size = random.Float(0.05f, 0.2f);
             parts[i] = new CompoundPart(
                 random.Below(5) switch
@@ -45,7 +45,7 @@ internal static class ConcaveShapes
     /// it.</param>
     /// <param name="children">To which is added of which child a part is, and which of it.</param>
     public static CompoundShape Nested(
-        FuzzRandom random, int depth, List<ConvexShape> parts, List<(int Child, int Part)>? children = null)
+        Rng random, int depth, List<ConvexShape> parts, List<(int Child, int Part)>? children = null)
     {
         var list = new CompoundPart[1 + random.Below(4)];
         for (int i = 0; i < list.Length; i++)
@@ -63,7 +63,7 @@ internal static class ConcaveShapes
         return new CompoundShape(list);
     }
 
-    private static AnyShape Child(FuzzRandom random, int depth, out List<ConvexShape> parts)
+    private static AnyShape Child(Rng random, int depth, out List<ConvexShape> parts)
     {
         if (depth > 0 && random.OneIn(2))
         {
@@ -87,7 +87,7 @@ internal static class ConcaveShapes
     }
 
     /// <summary>Any of the kinds.</summary>
-    public static AnyShape Any(FuzzRandom random) => random.Below(6) switch
+    public static AnyShape Any(Rng random) => random.Below(6) switch
     {
         0 => AnyShape.Surface(Soup(random, random.Of(1, 3, 20, 60), random.Magnitude(0.02, 0.5))),
         1 => AnyShape.Surface(Torus(random.Of(4, 9), random.Of(3, 7))),
@@ -97,7 +97,7 @@ internal static class ConcaveShapes
         _ => AnyShape.Of(ConvexShape.Box(new Vector3(0.3f, 0.2f, 0.1f)).Rounded(random.Of(0, 0.1f))),
     };
 
-    public static RigidPose Pose(FuzzRandom random, double reach) => new(Rotations.Any(random), random.Vector(reach));
+    public static RigidPose Pose(Rng random, double reach) => new(Rotations.Any(random), random.Vector(reach));
 
     /// <summary>The parts as they were given, each as a convex shape of its own.</summary>
     public static List<ConvexShape> Parts(in AnyShape shape)
@@ -124,7 +124,7 @@ internal static class ConcaveShapes
         return parts;
     }
 
-    private static IEnumerable<Vector3> RandomPoints(FuzzRandom random, int count, double size)
+    private static IEnumerable<Vector3> RandomPoints(Rng random, int count, double size)
     {
         for (int i = 0; i < count; i++) yield return random.Vector(size);
     }

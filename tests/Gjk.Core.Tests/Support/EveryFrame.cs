@@ -24,7 +24,7 @@ internal static class EveryFrame
         for (int i = 0; i < pairs.Length; i++)
             pairs[i] = new ObjectPair(world.Rng.Below(count), world.Rng.Below(count));
         RayQuery[] rays =
-            [.. Enumerable.Range(0, count).Select(i => new RayQuery(here[i].Position, world.Rng.Direction()))];
+            [.. Enumerable.Range(0, count).Select(i => new RayQuery(here[i].Position, world.Rng.UnitVector()))];
         Vector3[] motions = [.. Enumerable.Range(0, count).Select(_ => world.Rng.Vector(-1, 1))];
         var firstHits = new RayHit[count];
         List<RayHit> rayHits = [];

@@ -44,7 +44,7 @@ internal static class EveryQuery
         ConvexQuery.SignedDistance(shape, pose, point);
         says("ClosestPoint");
         ConvexQuery.ClosestPoint(shape, pose, point);
-        foreach (Vector3 direction in new[] { rng.Direction(), Vector3.UnitX, -Vector3.UnitY, pose.Position - point })
+        foreach (Vector3 direction in new[] { rng.UnitVector(), Vector3.UnitX, -Vector3.UnitY, pose.Position - point })
         {
             says($"RayCast along {direction}");
             ConvexQuery.RayCast(shape, pose, point, direction);
@@ -58,7 +58,7 @@ internal static class EveryQuery
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap
     {
-        Vector3 between = poseB.Position - poseA.Position, any = rng.Direction() * scale;
+        Vector3 between = poseB.Position - poseA.Position, any = rng.UnitVector() * scale;
         Vector3 across = Vector3.Cross(any, between) / Math.Max(scale, 1e-30f);
         foreach (Vector3 motion in new[] { default, between, any, across, Vector3.UnitX * scale })
         {
@@ -69,7 +69,7 @@ internal static class EveryQuery
             ConvexQuery.Cast(a, poseA, motion, b, poseB, motion);
             says($"Cast by {motion}, warm");
             ConvexQuery.Cast(a, poseA, motion, b, poseB, default, ref stale, 1);
-            Vector3 turn = rng.Below(2) == 0 ? default : rng.Direction() * 3;
+            Vector3 turn = rng.Below(2) == 0 ? default : rng.UnitVector() * 3;
             says($"TimeOfImpact by {motion}, turning by {turn}");
             ConvexQuery.TimeOfImpact(a, new RigidMotion(poseA, motion, turn), b, new RigidMotion(poseB, default));
         }

@@ -82,7 +82,7 @@ internal static class Generators
         TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
         double distance = rng.Range(0, spread) * (a.Reach + b.Reach);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1));
-        RigidPose poseB = Pose(rng, poseA.Position + rng.Direction() * (float)distance);
+        RigidPose poseB = Pose(rng, poseA.Position + rng.UnitVector() * (float)distance);
         return new TestPair($"seed {seed}", a, poseA, b, poseB);
     }
 
@@ -95,7 +95,7 @@ internal static class Generators
         TestShape b = rng.Below(4) == 0 ? Shape(rng, "hull") : Shape(rng, MadeKinds[rng.Below(MadeKinds.Length)]);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
         Body<ConvexShape> bodyA = new(a.Shape, poseA), bodyB = new(b.Shape, turned);
-        Double3 n = rng.Direction(), centerA = bodyA.Rotate(a.Shape.Center), centerB = bodyB.Rotate(b.Shape.Center);
+        Double3 n = rng.UnitVector(), centerA = bodyA.Rotate(a.Shape.Center), centerB = bodyB.Rotate(b.Shape.Center);
         n *= 1 / n.Length;
         double apart = gap is { } g
             ? bodyA.Height(n) - Double3.Dot(n, centerA) + bodyB.Height(-n) + Double3.Dot(n, centerB) + g
@@ -112,7 +112,7 @@ internal static class Generators
         var rng = new Rng(seed);
         TestShape a = Shape(rng, kinds[rng.Below(kinds.Length)]), b = Shape(rng, kinds[rng.Below(kinds.Length)]);
         RigidPose poseA = Pose(rng, rng.Vector(-1, 1)), turned = Pose(rng, Vector3.Zero);
-        Double3 n = rng.Direction();
+        Double3 n = rng.UnitVector();
         n *= 1 / n.Length;
         Body<ConvexShape> bodyA = new(a.Shape, poseA), bodyB = new(b.Shape, turned);
         double apart = bodyA.Height(n) + bodyB.Height(-n) + gap;
@@ -125,11 +125,11 @@ internal static class Generators
     public static Vector3[] Cloud(Rng rng, int count, Vector3 size) =>
         [.. Enumerable.Range(0, count).Select(_ => rng.Vector(-1, 1) * size)];
 
-    private static Vector3[] Made(Rng rng) => MadeMeshes.Any(new FuzzRandom(rng.Next()));
+    private static Vector3[] Made(Rng rng) => MadeMeshes.Any(new Rng(rng.Next()));
 
     /// <summary>Ten to ten million sizes from its own origin.</summary>
     private static Vector3[] FarOff(Rng rng, Vector3[] cloud) =>
-        Clouds.Placed(cloud, 1, rng.Direction() * rng.LogFloat(10, 1e7));
+        Clouds.Placed(cloud, 1, rng.UnitVector() * rng.LogFloat(10, 1e7));
 
     /// <summary>By powers of two from 2^-24 to 2^24, some of them negative.</summary>
     private static TestShape Uneven(Rng rng, Vector3[] cloud)

@@ -11,10 +11,10 @@ internal sealed record HalfSpaceSetup(
     public static HalfSpaceSetup Random(Rng rng, string kind, double far = 1e5)
     {
         TestShape other = Generators.Shape(rng, kind);
-        Vector3 normal = rng.Direction() * rng.LogFloat(0.1, 10);
+        Vector3 normal = rng.UnitVector() * rng.LogFloat(0.1, 10);
         float offset = rng.Float(-2, 2);
         var pose = new RigidPose(rng.Rotation(), rng.Vector(-3, 3));
-        var otherPose = new RigidPose(rng.Rotation(), rng.Direction() * rng.LogFloat(1e-2, Math.Max(far, 1)));
+        var otherPose = new RigidPose(rng.Rotation(), rng.UnitVector() * rng.LogFloat(1e-2, Math.Max(far, 1)));
         var random = new HalfSpaceSetup(normal, offset, pose, other, otherPose);
         if (rng.Below(4) == 0) return random;
         float gap = rng.Below(2) == 0 ? 0 : rng.LogFloat(1e-7, 2) * (rng.Below(2) == 0 ? 1 : -1);

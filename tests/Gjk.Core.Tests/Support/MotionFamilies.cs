@@ -22,18 +22,18 @@ internal static class MotionFamilies
         if (family == "alike") turnB = turnA;
         if (family == "slow") (turnA, turnB) = (turnA * 0.01f, turnB * 0.01f);
         double reach = Reach(a) + Reach(b);
-        Vector3 direction = rng.Direction();
+        Vector3 direction = rng.UnitVector();
         float apart = (float)(reach * (family == "bullets" ? rng.LogFloat(10, 1e6) : rng.Range(0.7, 3)));
-        Vector3 from = direction * apart, aside = rng.Direction() * (float)(reach * Math.Sqrt(rng.Unit()) * 0.6);
+        Vector3 from = direction * apart, aside = rng.UnitVector() * (float)(reach * Math.Sqrt(rng.Unit()) * 0.6);
         Vector3 velocity = (aside - from) * rng.Float(0.5, 2);
-        if (family is "spinning" or "tops") velocity = rng.Direction() * (float)(reach * rng.Range(0, 0.2));
+        if (family is "spinning" or "tops") velocity = rng.UnitVector() * (float)(reach * rng.Range(0, 0.2));
         RigidPose poseA = Pose(rng, a, rng.Vector(-1, 1)), turned = Pose(rng, b, Vector3.Zero);
         Vector3 position = Meeting(poseA, a) + from - Meeting(turned, b);
         if (family is "grazing" or "faces" or "edges" or "tops" or "slow" or "spinning")
         {
             position = Near(rng, family, a, ref poseA, b, ref turned, direction);
             if (family is "tops") (turnA, turnB) = (direction * turnA.Length(), direction * turnB.Length());
-            if (family is "grazing") velocity = Vector3.Cross(direction, rng.Direction()) * (float)reach;
+            if (family is "grazing") velocity = Vector3.Cross(direction, rng.UnitVector()) * (float)reach;
             if (family is "faces" or "edges" or "slow")
                 velocity = (rng.Vector(-1, 1) - direction) * (float)reach * 0.3f;
         }
@@ -61,11 +61,11 @@ internal static class MotionFamilies
 
     private static TestShape OffCentre(Rng rng)
     {
-        Vector3 way = rng.Direction() * rng.LogFloat(0.5, 20);
+        Vector3 way = rng.UnitVector() * rng.LogFloat(0.5, 20);
         return TestShape.Mesh([.. Generators.Cloud(rng, 4 + rng.Below(13), Vector3.One).Select(p => p + way)]);
     }
 
-    private static Vector3 Turn(Rng rng) => rng.Direction() * rng.LogFloat(0.03, MostTurn);
+    private static Vector3 Turn(Rng rng) => rng.UnitVector() * rng.LogFloat(0.03, MostTurn);
 
     private static double Reach(TestShape shape) => shape.Shape.BoundingRadius;
 

@@ -42,7 +42,7 @@ internal sealed class MovingWorld
             return;
         }
 
-        Quaternion turn = Quaternion.CreateFromAxisAngle(_rng.Direction(), 0.02f);
+        Quaternion turn = Quaternion.CreateFromAxisAngle(_rng.UnitVector(), 0.02f);
         Poses[i] = new RigidPose(Quaternion.Normalize(turn * pose.Rotation), pose.Position + _rng.Vector(-0.02, 0.02));
     }
 

@@ -19,12 +19,12 @@ internal static class PathFamilies
             2 => (start - toEnd * 3, toEnd, infinite),
             3 => (start, Axis(rng) * side, rng.Below(2) == 0 ? infinite : 1),
             4 => Grazing(rng, world, side),
-            5 => Between(start - rng.Direction() * 1e6f * side, end, infinite),
-            6 => Aimed(end, rng.Direction() * 1e30f),
-            7 => (start, rng.Direction() * 1e30f, rng.Below(2) == 0 ? infinite : 1e-30f),
-            8 => (start, rng.Direction() * 1e-40f, rng.Below(2) == 0 ? infinite : 1e38f),
+            5 => Between(start - rng.UnitVector() * 1e6f * side, end, infinite),
+            6 => Aimed(end, rng.UnitVector() * 1e30f),
+            7 => (start, rng.UnitVector() * 1e30f, rng.Below(2) == 0 ? infinite : 1e-30f),
+            8 => (start, rng.UnitVector() * 1e-40f, rng.Below(2) == 0 ? infinite : 1e38f),
             9 => (start, new Vector3(rng.Float(-1, 1), rng.Float(-1e-30, 1e-30), rng.Float(-1e-42, 1e-42)), infinite),
-            10 => (world.Poses[rng.Below(world.Count)].Position, rng.Direction(), rng.Below(2) == 0 ? 0 : infinite),
+            10 => (world.Poses[rng.Below(world.Count)].Position, rng.UnitVector(), rng.Below(2) == 0 ? 0 : infinite),
             _ => Between(offset - Axis(rng) * 1e30f, offset, rng.Below(2) == 0 ? infinite : 1.5f),
         };
     }
@@ -45,9 +45,9 @@ internal static class PathFamilies
     private static (Vector3 Start, Vector3 Motion, float Most) Grazing(Rng rng, MovingWorld world, float side)
     {
         int i = rng.Below(world.Count);
-        RigidPose from = new(world.Poses[i].Position + rng.Direction() * 20);
+        RigidPose from = new(world.Poses[i].Position + rng.UnitVector() * 20);
         DistanceResult touch = ConvexQuery.Distance(ConvexShape.Sphere(0), from, world.Shapes[i], world.Poses[i]);
-        Vector3 along = Vector3.Cross(touch.Normal, rng.Direction());
+        Vector3 along = Vector3.Cross(touch.Normal, rng.UnitVector());
         if (rng.Below(2) == 0) along = Vector3.Cross(touch.Normal, Axis(rng));
         if (!(along.Length() > 0.01f)) along = Vector3.UnitX;
         float away = rng.Below(3) switch { 0 => 1, 1 => side, _ => 1000 * side };

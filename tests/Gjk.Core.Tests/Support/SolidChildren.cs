@@ -17,7 +17,7 @@ internal sealed class SolidChildren
     /// <param name="random">What draws it.</param>
     /// <param name="depth">How many compounds may be in each other.</param>
     /// <param name="isAllSolid">Whether all leaves are solids.</param>
-    public static SolidChildren Any(FuzzRandom random, int depth, bool isAllSolid = false)
+    public static SolidChildren Any(Rng random, int depth, bool isAllSolid = false)
     {
         var children = new CompoundPart[1 + random.Below(4)];
         List<(AnyShape, RigidPose)> leaves = [];
@@ -45,7 +45,7 @@ internal sealed class SolidChildren
     public static (SolidChildren A, RigidPose PoseA, AnyShape B, RigidPose PoseB, List<(AnyShape, RigidPose)> Leaves)
         Setup(int seed)
     {
-        var random = new FuzzRandom((ulong)seed);
+        var random = new Rng((ulong)seed);
         SolidChildren a = Any(random, seed % 3);
         RigidPose poseA = seed % 2 == 0 ? RigidPose.Identity : ConcaveShapes.Pose(random, 2);
         RigidPose near = random.OneIn(2) ? a.Leaves[random.Below(a.Leaves.Count)].Pose : RigidPose.Identity;
@@ -88,7 +88,7 @@ internal sealed class SolidChildren
         };
     }
 
-    private static AnyShape Leaf(FuzzRandom random, bool isSolid)
+    private static AnyShape Leaf(Rng random, bool isSolid)
     {
         if (!isSolid)
         {

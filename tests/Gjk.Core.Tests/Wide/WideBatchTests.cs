@@ -76,7 +76,7 @@ public class WideBatchTests
                 .. Enumerable.Range(0, 64).Select(_ =>
                     Generators.Shape(rng, kinds[rng.Below(kinds.Length)]).Scaled(new Vector3(rng.LogFloat(1e-5, 1e5)))),
             ];
-            RigidPose[] poses = [.. made.Select(s => Generators.Pose(rng, rng.Direction() * rng.LogFloat(1e-5, 1e7)))];
+            RigidPose[] poses = [.. made.Select(s => Generators.Pose(rng, rng.UnitVector() * rng.LogFloat(1e-5, 1e7)))];
             ConvexShape[] shapes = [.. made.Select(s => s.Shape)];
             Check(shapes, poses, Pairs(rng, 64, 300), float.PositiveInfinity, $"seed {seed}");
             CheckWarm(shapes, poses, Pairs(rng, 64, 300), float.PositiveInfinity, $"seed {seed}");

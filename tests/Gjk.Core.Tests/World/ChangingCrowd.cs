@@ -7,12 +7,12 @@ internal sealed class ChangingCrowd
     private const float Reach = 0.15f, Side = 2;
 
     private readonly BroadPhaseKind _kind;
-    private readonly FuzzRandom _random;
+    private readonly Rng _random;
     private readonly CollisionScene _scene;
 
     public ChangingCrowd(BroadPhaseKind kind, ulong seed, int count)
     {
-        (_kind, _random, _scene) = (kind, new FuzzRandom(seed), new CollisionScene(kind));
+        (_kind, _random, _scene) = (kind, new Rng(seed), new CollisionScene(kind));
         for (int i = 0; i < count; i++) Add();
     }
 

@@ -15,7 +15,7 @@ public class CharacterTests
         var scene = new CollisionScene();
         AddFloor(scene, floor);
         ConvexShape body = ConvexShape.Capsule(radius: 0.4f, halfHeight: 0.6f);
-        var random = new FuzzRandom(4702);
+        var random = new Rng(4702);
         foreach (float deep in new[] { 0, 0.0005f, 0.002f, 0.05f, 0.2f, 0.35f })
         {
             for (int round = 0; round < 12; round++)

@@ -48,7 +48,7 @@ public class ConcaveSceneTests
     {
         var world = new Crowd(9, 30);
         CollisionScene scene = world.Scene(BroadPhaseKind.DynamicTree);
-        var random = new FuzzRandom(5);
+        var random = new Rng(5);
         int hits = 0, parts = 0;
         for (int i = 0; i < 60; i++)
         {
@@ -168,11 +168,11 @@ public class ConcaveSceneTests
     /// <summary>Shapes of all kinds, and what single queries say of their pairs.</summary>
     private sealed class Crowd
     {
-        private readonly FuzzRandom _random;
+        private readonly Rng _random;
 
         public Crowd(ulong seed, int count)
         {
-            _random = new FuzzRandom(seed);
+            _random = new Rng(seed);
             for (int i = 0; i < count; i++)
             {
                 Shapes.Add(

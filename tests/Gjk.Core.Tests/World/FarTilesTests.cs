@@ -17,7 +17,7 @@ public class FarTilesTests
         var contacts = new List<PairContacts>();
         for (int i = 0; i < 100; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             float size = random.Float(0.1, 0.3), depth = random.Of(1e-3f, 5e-3f, 2e-2f);
             var far = new Vector3(random.Float(-300, 300), random.Float(-300, 300), random.Float(-300, 300));
             var scene = new CollisionScene();

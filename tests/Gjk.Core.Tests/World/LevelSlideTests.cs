@@ -24,7 +24,7 @@ public class LevelSlideTests
         var at = new RigidPose(turn, origin + Turned(new Vector3(-4, 0, -4)));
         var scene = new CollisionScene();
         scene.Add(floor, at);
-        var random = new FuzzRandom(11);
+        var random = new Rng(11);
         int count = Budget.Whole(1000), tried = 0;
         for (int i = 0; i < count; i++)
         {

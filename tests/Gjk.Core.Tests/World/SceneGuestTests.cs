@@ -21,7 +21,7 @@ public class SceneGuestTests
         int met = 0, parts = 0, joined = 0;
         for (int seed = 0; seed < Budget.Count(60); seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             ConvexShape shape = seed % 2 == 0 ? ConvexShape.Capsule(0.2f, 0.2f) : ConvexShape.Box(new Vector3(0.25f));
             RigidPose pose = ConcaveShapes.Pose(random, 0.8);
             CollisionScene without = new(kind), with = new(kind);
@@ -53,7 +53,7 @@ public class SceneGuestTests
         int met = 0;
         for (int seed = 0; seed < Budget.Count(40); seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             var scene = new CollisionScene();
             Furnish(random, scene);
             ConvexShape shape = ConvexShape.Cylinder(0.2f, 0.1f);
@@ -112,7 +112,7 @@ public class SceneGuestTests
     public void AWarmCallAllocatesNothing()
     {
         var scene = new CollisionScene();
-        Furnish(new FuzzRandom(3), scene);
+        Furnish(new Rng(3), scene);
         ConvexShape shape = ConvexShape.Capsule(0.4f, 0.2f);
         var pose = new RigidPose(new Vector3(0.1f, 0.2f, 0.3f));
         Assert.Equal(0, Allocation.Least(() =>
@@ -151,7 +151,7 @@ public class SceneGuestTests
 
     /// <summary>Flush tiles below, and shapes of all kinds around: all static, so that only the guest meets
     /// them.</summary>
-    private static void Furnish(FuzzRandom random, params CollisionScene[] scenes)
+    private static void Furnish(Rng random, params CollisionScene[] scenes)
     {
         foreach (CompoundPart tile in Floors.Tiles(0))
         {

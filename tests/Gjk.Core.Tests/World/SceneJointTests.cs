@@ -19,7 +19,7 @@ public class SceneJointTests
     [InlineData("solids")]
     public void WhatStandsOnASeamIsLifted(string floor)
     {
-        var random = new FuzzRandom(9);
+        var random = new Rng(9);
         for (int i = 0; i < 60; i++)
         {
             bool isCone = i % 2 == 0;
@@ -55,7 +55,7 @@ public class SceneJointTests
         {
             AnyShape body = bodies[i % 3];
             float deep = (i / 3 % 4) switch { 0 => -1e-4f, 1 => 1e-6f, 2 => 5e-4f, _ => 2e-3f };
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             float side = floor == "boxes in each other" ? -0.5f : 0;
             float x = side - 0.3f - random.Float(-0.01, 0.0199);
             var scene = new CollisionScene();
@@ -83,7 +83,7 @@ public class SceneJointTests
         var beside = new RigidPose(new Vector3(0.5f, 0.5f, 0));
         for (int i = 0; i < 30; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             var scene = new CollisionScene();
             if (isCompound)
             {

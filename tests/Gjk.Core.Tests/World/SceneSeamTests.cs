@@ -20,7 +20,7 @@ public class SceneSeamTests
         int kicks = 0;
         for (int i = 0; i < 200; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             var scene = new CollisionScene();
             bool isFirst = tiles.Contains("first");
             AnyShape body = SeamBodies.Named(i % 2 == 0 ? "ball" : "box");
@@ -65,7 +65,7 @@ public class SceneSeamTests
             : Quaternion.Identity;
         for (int i = 0; i < 200; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             float depth = random.Of(1e-3f, 0.02f, 0.1f);
             Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Float(0, 6.3)) * own;
             float x = i % 3 == 0 ? 1.5f : random.Float(1.1, 1.9);

@@ -19,7 +19,7 @@ public class SeamCornerTests
     {
         for (int i = 0; i < 120; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             float size = random.Of(0.01f, 1, 100), tilt = random.Of(0, 1e-7f, 1e-5f, 1e-4f, 1e-3f);
             var half = size * new Vector3(random.Float(0.3, 0.6), random.Float(0.2, 0.6), random.Float(0.3, 0.6));
             var axis = Vector3.Normalize(new Vector3(random.Float(-1, 1), 0, random.Float(-1, 1)));

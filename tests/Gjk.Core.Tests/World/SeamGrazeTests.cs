@@ -19,7 +19,7 @@ public class SeamGrazeTests
         var ball = AnyShape.Of(ConvexShape.Sphere(0.5f));
         for (int i = 0; i < 400; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             float aside = MathF.Pow(10, random.Float(-5, -1.7)), gap = MathF.Pow(10, random.Float(-7, -4));
             var at = new RigidPose(new Vector3(i % 2 == 0 ? aside : -aside, 0.5f + gap, 0.3f));
             Find(tiles, isScene, ball, at);
@@ -35,7 +35,7 @@ public class SeamGrazeTests
     {
         for (int i = 0; i < 200; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             var half = new Vector3(random.Float(0.3, 0.6), random.Float(0.3, 0.6), random.Float(0.3, 0.6));
             List<CompoundPart> tiles = Tiles(8, random.Float(0.3, 0.6), _ => random.Float(0.3, 0.7));
             TriangleMesh box = Solids.Box(-half, half);

@@ -20,7 +20,7 @@ public class SeamStopTests
         int hits = 0;
         for (int seed = 0; seed < 1000; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Of(0, 0.5f, 1, 2, 3))
                 * Quaternion.CreateFromAxisAngle(Vector3.UnitX, random.Of(1.2f, 1.8f, 2.4f, MathF.PI));
             float lowest = ConvexQuery.SignedDistance(
@@ -53,7 +53,7 @@ public class SeamStopTests
         int hits = 0;
         for (int seed = 0; seed < 500; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             float allowed = random.Of(1e-4f, 1e-3f), length = random.Of(0.1f, 0.3f, 1, 2, 4), side = random.Float(0, 2);
             Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, random.Of(0, 0.3f, 0.8f));
             var from = new RigidPose(yaw, new Vector3(0.03f, 0.5f - random.Of(0, 1e-6f, 1e-5f, 5e-5f), 0.1f));

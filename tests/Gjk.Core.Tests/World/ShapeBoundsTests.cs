@@ -36,7 +36,7 @@ public class ShapeBoundsTests
         for (int seed = 0; seed < 200; seed++)
         {
             var rng = new Rng((ulong)seed);
-            Vector3 offset = rng.Direction() * rng.LogFloat(1, 1e6);
+            Vector3 offset = rng.UnitVector() * rng.LogFloat(1, 1e6);
             TestShape shape = TestShape.Mesh([.. Generators.Cloud(rng, 8, Vector3.One).Select(v => v + offset)]);
             Quaternion rotation = rng.Rotation();
             Vector3 back = -new RigidPose(rotation, Vector3.Zero).TransformPoint(offset);

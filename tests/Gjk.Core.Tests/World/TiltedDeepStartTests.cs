@@ -29,8 +29,8 @@ public class TiltedDeepStartTests
         int count = Budget.Whole(90), slid = 0;
         for (int i = 0; i < count; i++)
         {
-            var random = new FuzzRandom((ulong)(700 + i));
-            Quaternion turn = Rotations.Even(random);
+            var random = new Rng((ulong)(700 + i));
+            Quaternion turn = random.Rotation();
             body.Support((Double3)Vector3.Transform(-Vector3.UnitY, Quaternion.Conjugate(turn)), out Double3 tip);
             float low = Vector3.Transform((Vector3)(body.Center + tip), turn).Y, deep = random.Float(0.05, 0.15);
             Vector3 start = new(random.Float(-1, 1), -low - deep, random.Float(-1, 1));
@@ -91,12 +91,12 @@ public class TiltedDeepStartTests
     [Fact]
     public void OneObjectAnswersAsThePair()
     {
-        var random = new FuzzRandom(5);
+        var random = new Rng(5);
         int within = 0;
         for (int i = 0; i < 4000; i++)
         {
             var box = ConvexShape.Box(new Vector3(random.Float(0.1, 1), random.Float(0.1, 1), random.Float(0.1, 1)));
-            var pose = new RigidPose(Rotations.Even(random), random.Vector(2));
+            var pose = new RigidPose(random.Rotation(), random.Vector(2));
             var scene = new CollisionScene();
             scene.Add(box, pose);
             ConvexShape body = ConvexShape.Sphere(random.Float(0.05, 0.5));
@@ -123,7 +123,7 @@ public class TiltedDeepStartTests
         ConvexShape capsule = ConvexShape.Capsule(0.4f, 0.6f);
         for (int i = 0; i < 100; i++)
         {
-            var random = new FuzzRandom((ulong)i);
+            var random = new Rng((ulong)i);
             Vector3 at = new(random.Float(-2, 2), 1, random.Float(-2, 2));
             Vector3 way = new(random.Float(-3, 3), 0, random.Float(-3, 3));
             bool isHit = scene.TryFindCastHit(

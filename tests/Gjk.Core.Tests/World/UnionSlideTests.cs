@@ -44,7 +44,7 @@ public class UnionSlideTests
     {
         var scene = new CollisionScene();
         AddFloor(scene, floor);
-        var random = new FuzzRandom(61);
+        var random = new Rng(61);
         ConvexShape[] bodies =
         [
             ConvexShape.Capsule(0.3f, 0.5f), ConvexShape.Box(new Vector3(0.3f, 0.8f, 0.2f)),
@@ -76,7 +76,7 @@ public class UnionSlideTests
         int hits = 0;
         for (int seed = 0; seed < 400; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             float width = random.Float(0.2, 2), allowed = random.Of(1e-4f, 1e-3f, 1e-2f);
             int count = (int)(20 / width);
             float begin = random.Float(-0.1, 0.1) - 10, length = count * width;
@@ -216,7 +216,7 @@ public class UnionSlideTests
             : Solids.Named(name, 0);
         var body = AnyShape.Solid(mesh);
         var scratch = new ConcaveScratch();
-        var random = new FuzzRandom(77);
+        var random = new Rng(77);
         (Vector3 Way, bool IsHit)[] motions =
         [
             (new(0.3f, 0.5f, 0.1f), false), (new(0.9f, 0, 0.1f), false), (new(0.9f, -0.1f, 0), true),
@@ -224,7 +224,7 @@ public class UnionSlideTests
         ];
         for (int i = 0; i < 24; i++)
         {
-            Quaternion turn = Rotations.Even(random);
+            Quaternion turn = random.Rotation();
             float deep = random.Float(0.002f, 0.12f), height = -Solids.Lowest(mesh, turn) - deep;
             var from = new RigidPose(
                 turn, new Vector3(1.2f + random.Float(-0.2f, 0.2f), height, 1.4f + random.Float(-0.2f, 0.2f)));

@@ -90,7 +90,7 @@ public sealed class FuzzConcaveTests
     [Fact]
     public void TheOraclesWindingIsThatOfABoxAndATorus()
     {
-        var random = new FuzzRandom(4);
+        var random = new Rng(4);
         RawShape box = RawShape.Surface(Surfaces.Box(Vector3.One)), torus = RawShape.Surface(Surfaces.Torus(24, 12));
         for (int i = 0; i < 200; i++)
         {

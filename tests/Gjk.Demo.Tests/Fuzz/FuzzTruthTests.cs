@@ -49,7 +49,7 @@ public sealed class FuzzTruthTests
         int exact = 0;
         for (ulong seed = 0; seed < 500; seed++)
         {
-            var random = new FuzzRandom(seed);
+            var random = new Rng(seed);
             IntegerRotation r = IntegerRotation.Any(random).Times(IntegerRotation.AboutY(random));
             Double3 v = r.Exactly(new Double3(3, -2, 5) * r.Norm);
             Assert.True(
@@ -74,7 +74,7 @@ public sealed class FuzzTruthTests
         int touching = 0, known = 0;
         for (ulong seed = 0; seed < 400; seed++)
         {
-            FuzzPair pair = RestFamilies.Resting(new FuzzRandom(seed));
+            FuzzPair pair = RestFamilies.Resting(new Rng(seed));
             if (!pair.Truth.IsKnown) continue;
             known++;
             Double3 up = new PosedShape(ConvexShape.Point(), new RigidPose(pair.PoseA.Rotation, Vector3.Zero)).Rotate(

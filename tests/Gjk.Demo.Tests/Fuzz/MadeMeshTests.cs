@@ -71,7 +71,7 @@ public sealed class MadeMeshTests
     public void CopiesAreOneFloatAway()
     {
         Vector3[] cloud = [new(1, -2, 0.3f), new(0, 1e-20f, -1)];
-        Vector3[] copies = Copies.OneFloatApart(new FuzzRandom(1), cloud, 50);
+        Vector3[] copies = Copies.OneFloatApart(new Rng(1), cloud, 50);
         Assert.Equal(2 + 100, copies.Length);
         Assert.True(copies.Distinct().Count() > 20);
         for (int i = 0; i < copies.Length; i++)
@@ -85,8 +85,8 @@ public sealed class MadeMeshTests
     [Fact]
     public void AScansNoiseIsAsLargeAsAsked()
     {
-        Vector3[] cloud = Clouds.OnSphere(new FuzzRandom(2), 200);
-        Vector3[] scan = Copies.Scanned(new FuzzRandom(3), cloud, 1e-3);
+        Vector3[] cloud = Clouds.OnSphere(new Rng(2), 200);
+        Vector3[] scan = Copies.Scanned(new Rng(3), cloud, 1e-3);
         Assert.InRange(cloud.Zip(scan, (p, q) => (p - q).Length()).Max(), 1e-3, 1.8e-3);
     }
 
@@ -112,11 +112,11 @@ public sealed class MadeMeshTests
     public void ASeedGivesTheSameMesh()
     {
         foreach (ulong seed in (ulong[])[1, 2, 3, 4, 5])
-            Assert.Equal(MadeMeshes.Any(new FuzzRandom(seed)), MadeMeshes.Any(new FuzzRandom(seed)));
+            Assert.Equal(MadeMeshes.Any(new Rng(seed)), MadeMeshes.Any(new Rng(seed)));
     }
 
-    private static IEnumerable<Vector3[]> Many(Func<FuzzRandom, Vector3[]> make)
+    private static IEnumerable<Vector3[]> Many(Func<Rng, Vector3[]> make)
     {
-        for (ulong seed = 0; seed < Draws; seed++) yield return make(new FuzzRandom(seed));
+        for (ulong seed = 0; seed < Draws; seed++) yield return make(new Rng(seed));
     }
 }

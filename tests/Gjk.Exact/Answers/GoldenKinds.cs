@@ -13,7 +13,7 @@ internal static class GoldenKinds
         var hash = new BitHash();
         for (int i = 0; i < Count; i++)
         {
-            FuzzRandom random = FuzzRandom.ForPair(7, i);
+            Rng random = Rng.ForPair(7, i);
             var normal = (Vector3)(random.Direction() * random.Range(0.1, 10));
             ConvexShape plane = Decorated(random, ConvexShape.HalfSpace(normal, random.Float(-1, 1)));
             ConvexShape other = AnyKind(random);
@@ -38,7 +38,7 @@ internal static class GoldenKinds
         var hash = new BitHash();
         for (int i = 0; i < Count; i++)
         {
-            FuzzRandom random = FuzzRandom.ForPair(8, i);
+            Rng random = Rng.ForPair(8, i);
             ConvexShape shape = AnyKind(random);
             float density = random.Float(0, 10);
             RigidPose pose = Pose(random, random.Of(1.0, 1000));
@@ -61,7 +61,7 @@ internal static class GoldenKinds
     }
 
     private static void AddPair(
-        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, FuzzRandom random, ref BitHash hash)
+        in ConvexShape a, in RigidPose poseA, in ConvexShape b, in RigidPose poseB, Rng random, ref BitHash hash)
     {
         var manifold = default(ContactManifold);
         hash.Add(ConvexQuery.Distance(a, poseA, b, poseB));
@@ -85,7 +85,7 @@ internal static class GoldenKinds
         AnyShape floor = AnyShape.Of(ConvexShape.HalfSpace(Vector3.UnitY, 0.25f));
         for (int i = 0; i < Count / 10; i++)
         {
-            FuzzRandom random = FuzzRandom.ForPair(9, i);
+            Rng random = Rng.ForPair(9, i);
             AnyShape solid = AnyShape.Solid(Solid(random));
             RigidPose pose = Pose(random, 2), at = Pose(random, 2);
             PairDistance distance = ConcaveQuery.SignedDistance(solid, at, floor, pose, scratch);
@@ -98,13 +98,13 @@ internal static class GoldenKinds
     }
 
     /// <summary>Any shape, tapered capsules too, which <see cref="RandomShape"/> leaves out.</summary>
-    private static ConvexShape AnyKind(FuzzRandom random) => random.OneIn(10)
+    private static ConvexShape AnyKind(Rng random) => random.OneIn(10)
         ? Decorated(
             random,
             ConvexShape.TaperedCapsule(random.Float(0, 1), random.Float(0.1, 1), random.Float(0, 1)))
         : RandomShape.Make(random);
 
-    private static ConvexShape Decorated(FuzzRandom random, ConvexShape shape)
+    private static ConvexShape Decorated(Rng random, ConvexShape shape)
     {
         if (random.OneIn(4)) shape = shape.Scaled(Factors(random));
         if (random.OneIn(4)) shape = shape.Rounded(random.Float(0.01, 0.2));
@@ -112,7 +112,7 @@ internal static class GoldenKinds
     }
 
     /// <summary>A tetrahedron or an octahedron of any corners, turned outward or inward, scaled or not.</summary>
-    private static TriangleMesh Solid(FuzzRandom random)
+    private static TriangleMesh Solid(Rng random)
     {
         var corners = new Vector3[6];
         for (int i = 0; i < corners.Length; i++) corners[i] = random.Vector(2);
@@ -123,8 +123,8 @@ internal static class GoldenKinds
         return random.OneIn(2) ? mesh.Scaled(Factors(random)) : mesh;
     }
 
-    private static Vector3 Factors(FuzzRandom random) =>
+    private static Vector3 Factors(Rng random) =>
         new(random.Float(0.5, 2), random.Sign() * random.Float(0.5, 2), random.Float(0.5, 2));
 
-    private static RigidPose Pose(FuzzRandom random, double far) => new(Rotations.Even(random), random.Vector(far));
+    private static RigidPose Pose(Rng random, double far) => new(random.Rotation(), random.Vector(far));
 }

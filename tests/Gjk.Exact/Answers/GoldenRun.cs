@@ -80,7 +80,7 @@ public sealed class GoldenRun
     private BitHash Impacts()
     {
         var hash = new BitHash();
-        var random = new FuzzRandom(1);
+        var random = new Rng(1);
         foreach (CasePair c in _casts.SelectMany(f => f.Pairs))
         {
             var motionA = new RigidMotion(c.A.Pose, c.A.Velocity, random.Vector(1));
@@ -95,7 +95,7 @@ public sealed class GoldenRun
     private BitHash Rays()
     {
         var hash = new BitHash();
-        var random = new FuzzRandom(2);
+        var random = new Rng(2);
         foreach (PosedShape o in Families.SelectMany(f => f.Objects))
             for (int i = 0; i < RaysPerShape; i++) AddRay(o.Shape, o.Pose, random, ref hash);
         return hash;
@@ -108,12 +108,12 @@ public sealed class GoldenRun
         var manifold = default(ContactManifold);
         for (int i = 0; i < RandomPairs; i++)
         {
-            FuzzRandom random = FuzzRandom.ForPair(3, i);
+            Rng random = Rng.ForPair(3, i);
             ConvexShape a = RandomShape.Make(random), b = RandomShape.Make(random);
-            var poseA = new RigidPose(Rotations.Even(random), random.Vector(10));
+            var poseA = new RigidPose(random.Rotation(), random.Vector(10));
             double apart = (a.BoundingRadius + b.BoundingRadius) * random.Range(0.2, 1.2);
             Double3 between = random.Direction() * apart;
-            var poseB = new RigidPose(Rotations.Even(random), (Vector3)(poseA.Position + between));
+            var poseB = new RigidPose(random.Rotation(), (Vector3)(poseA.Position + between));
             DistanceResult distance = ConvexQuery.Distance(a, poseA, b, poseB);
             hash.Add(distance);
             hash.Add(distance.Swapped);
@@ -134,14 +134,14 @@ public sealed class GoldenRun
     /// <summary>Where a build solves four pairs at once, and where none does.</summary>
     private static BitHash Batches()
     {
-        var random = new FuzzRandom(6);
+        var random = new Rng(6);
         var shapes = new ConvexShape[BatchShapes];
         var poses = new RigidPose[BatchShapes];
         for (int i = 0; i < BatchShapes; i++)
         {
             shapes[i] = RandomShape.Make(random);
             if (random.OneIn(4)) shapes[i] = shapes[i].Scaled(new Vector3((float)random.Of(1e-4, 1e4)));
-            poses[i] = new RigidPose(Rotations.Even(random), random.Vector(2));
+            poses[i] = new RigidPose(random.Rotation(), random.Vector(2));
         }
 
         var pairs = new ObjectPair[BatchShapes * BatchShapes];
@@ -162,7 +162,7 @@ public sealed class GoldenRun
         hash.Add(manifold);
     }
 
-    internal static void AddRay(in ConvexShape shape, in RigidPose pose, FuzzRandom random, ref BitHash hash)
+    internal static void AddRay(in ConvexShape shape, in RigidPose pose, Rng random, ref BitHash hash)
     {
         double radius = shape.BoundingRadius > 0 ? shape.BoundingRadius : 1;
         Double3 target = pose.Position + random.Direction() * (radius * random.Unit());

@@ -29,7 +29,7 @@ public static class Directions
 
     private static IEnumerable<Double3> Scattered(int count)
     {
-        var random = new FuzzRandom(1);
+        var random = new Rng(1);
         for (int i = 0; i < count; i++) yield return random.Direction();
     }
 }

@@ -18,7 +18,7 @@ internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
     public static IntegerRotation Identity => new(0, 0, 0, 1);
 
     /// <summary>None, one or two turns about coordinate axes, or one about a cube's diagonal.</summary>
-    public static IntegerRotation Any(FuzzRandom random) => random.Below(6) switch
+    public static IntegerRotation Any(Rng random) => random.Below(6) switch
     {
         0 => Identity,
         1 => new IntegerRotation(random.Sign(), random.Sign(), random.Sign(), 1),
@@ -26,7 +26,7 @@ internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
         _ => AboutAxis(random, random.Below(3)),
     };
 
-    public static IntegerRotation AboutY(FuzzRandom random) => AboutAxis(random, 1);
+    public static IntegerRotation AboutY(Rng random) => AboutAxis(random, 1);
 
     public IntegerRotation Times(in IntegerRotation q) => new(
         W * q.X + X * q.W + Y * q.Z - Z * q.Y,
@@ -35,7 +35,7 @@ internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
         W * q.W - X * q.X - Y * q.Y - Z * q.Z);
 
     /// <summary>The rotation in floats, exactly, or as near as a quaternion of unit length gets.</summary>
-    public Quaternion ToQuaternion(FuzzRandom random)
+    public Quaternion ToQuaternion(Rng random)
     {
         double factor = 1 / Math.Sqrt(Norm);
         if (!random.OneIn(4))
@@ -53,7 +53,7 @@ internal readonly record struct IntegerRotation(int X, int Y, int Z, int W)
             2 * (X * Z - W * Y) * p.X + 2 * (Y * Z + W * X) * p.Y + (W * W - X * X - Y * Y + Z * Z) * p.Z);
     }
 
-    private static IntegerRotation AboutAxis(FuzzRandom random, int axis)
+    private static IntegerRotation AboutAxis(Rng random, int axis)
     {
         (int s, int c) = random.Of((1, 1), (1, 0), (1, 2), (2, 3), (1, 4), (1, 3));
         s *= random.Sign();

@@ -14,7 +14,7 @@ internal static class SupportDirections
     /// <param name="seed">Of those that are drawn at random.</param>
     public static IEnumerable<Double3> Of(PosedShape body, ulong seed)
     {
-        var random = new FuzzRandom(seed);
+        var random = new Rng(seed);
         foreach (Double3 d in Directions.Few) yield return d;
         for (int i = 0; i < Scattered; i++)
         {
@@ -40,7 +40,7 @@ internal static class SupportDirections
     }
 
     /// <summary>With one or two components next to nothing.</summary>
-    private static Double3 Thinned(FuzzRandom random, in Double3 d)
+    private static Double3 Thinned(Rng random, in Double3 d)
     {
         int spared = random.Below(3), other = random.Below(3);
         double x = Component(0, d.X), y = Component(1, d.Y), z = Component(2, d.Z);
@@ -51,7 +51,7 @@ internal static class SupportDirections
 
     /// <summary>On the border of a cell of a cube's face that is cut into 2^k squares a side, for a cube stretched to
     /// the shape's box or not.</summary>
-    private static Double3 CellBorder(FuzzRandom random, in Double3 sides)
+    private static Double3 CellBorder(Rng random, in Double3 sides)
     {
         int parts = 1 << random.Below(7);
         double u = (2.0 * random.Below(parts + 1) - parts) / parts;

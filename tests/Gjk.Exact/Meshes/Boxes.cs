@@ -6,7 +6,7 @@ public static class Boxes
 {
     /// <summary>Every corner becomes three, each moved in along the other two axes by the width of the bevel, from a
     /// tenth down to the last place of a float.</summary>
-    public static Vector3[] Bevelled(FuzzRandom random)
+    public static Vector3[] Bevelled(Rng random)
     {
         float bevel = (float)random.Magnitude(1e-7, 1e-1);
         Vector3 half = Half(random);
@@ -24,7 +24,7 @@ public static class Boxes
     }
 
     /// <summary>A cube of 24 vertices, four for each face.</summary>
-    public static Vector3[] ByFaces(FuzzRandom random)
+    public static Vector3[] ByFaces(Rng random)
     {
         Vector3[] corners = Clouds.Box(random.OneIn(2) ? new Vector3(0.5f) : Half(random));
         return [.. corners, .. corners, .. corners];
@@ -32,8 +32,8 @@ public static class Boxes
 
     /// <summary>The same where the three copies of a corner were computed in three ways, and differ by a last
     /// place.</summary>
-    public static Vector3[] NearlyWelded(FuzzRandom random) => Copies.OneFloatApart(random, ByFaces(random), 1);
+    public static Vector3[] NearlyWelded(Rng random) => Copies.OneFloatApart(random, ByFaces(random), 1);
 
-    private static Vector3 Half(FuzzRandom random) =>
+    private static Vector3 Half(Rng random) =>
         new(random.Float(0.1, 1), random.Float(0.1, 1), random.Float(0.1, 1));
 }

@@ -6,14 +6,14 @@ public static class Clouds
     /// <summary>Length: a power of two, so that lattice points and their sums are floats.</summary>
     public const float LatticeStep = 0.25f;
 
-    public static Vector3[] InBox(FuzzRandom random, int count, Vector3 size)
+    public static Vector3[] InBox(Rng random, int count, Vector3 size)
     {
         var cloud = new Vector3[count];
         for (int i = 0; i < count; i++) cloud[i] = random.Vector(1) * size;
         return cloud;
     }
 
-    public static Vector3[] OnSphere(FuzzRandom random, int count)
+    public static Vector3[] OnSphere(Rng random, int count)
     {
         var cloud = new Vector3[count];
         for (int i = 0; i < count; i++) cloud[i] = (Vector3)random.Direction();
@@ -30,13 +30,13 @@ public static class Clouds
 
     /// <summary>A step of a quarter unit in each direction, so that faces, edges and corners of lattice cubes
     /// meet.</summary>
-    public static Vector3 LatticePoint(FuzzRandom random, int reach) =>
+    public static Vector3 LatticePoint(Rng random, int reach) =>
         new Vector3(
             random.Below(2 * reach + 1) - reach, random.Below(2 * reach + 1) - reach,
             random.Below(2 * reach + 1) - reach) * LatticeStep;
 
     /// <summary>Corners on a coarse grid: many parallel edges and coplanar faces.</summary>
-    public static Vector3[] Lattice(FuzzRandom random)
+    public static Vector3[] Lattice(Rng random)
     {
         var cloud = new Vector3[4 + random.Below(12)];
         for (int i = 0; i < cloud.Length; i++) cloud[i] = LatticePoint(random, 4);
@@ -44,7 +44,7 @@ public static class Clouds
     }
 
     /// <summary>A polygon of up to eight corners and its copy, a face each, moved straight or askew.</summary>
-    public static Vector3[] Prism(FuzzRandom random)
+    public static Vector3[] Prism(Rng random)
     {
         int corners = 3 + random.Below(6);
         var cloud = new Vector3[2 * corners];
@@ -60,7 +60,7 @@ public static class Clouds
     }
 
     /// <summary>In a coordinate plane, or in one through the origin that floats cannot hold exactly.</summary>
-    public static Vector3[] Flat(FuzzRandom random)
+    public static Vector3[] Flat(Rng random)
     {
         Vector3[] cloud = InBox(random, 3 + random.Below(8), new Vector3(1, 0, 1));
         float slope = random.OneIn(2) ? 0 : random.Float(-1, 1);
@@ -68,7 +68,7 @@ public static class Clouds
         return cloud;
     }
 
-    public static Vector3[] Straight(FuzzRandom random)
+    public static Vector3[] Straight(Rng random)
     {
         Vector3 along = random.OneIn(2) ? new Vector3(1, 0, 0) : random.Vector(1);
         var cloud = new Vector3[2 + random.Below(5)];
@@ -77,7 +77,7 @@ public static class Clouds
     }
 
     /// <summary>The points, some of them more than once.</summary>
-    public static Vector3[] Repeated(FuzzRandom random, Vector3[] cloud)
+    public static Vector3[] Repeated(Rng random, Vector3[] cloud)
     {
         var repeated = new Vector3[cloud.Length * 3];
         for (int i = 0; i < repeated.Length; i++)

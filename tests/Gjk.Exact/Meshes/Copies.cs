@@ -4,7 +4,7 @@ namespace Gjk.Exact.Meshes;
 public static class Copies
 {
     /// <summary>Each point several times more, every copy's coordinates up to one float away.</summary>
-    public static Vector3[] OneFloatApart(FuzzRandom random, Vector3[] cloud, int times)
+    public static Vector3[] OneFloatApart(Rng random, Vector3[] cloud, int times)
     {
         var copies = new List<Vector3>(cloud);
         for (int i = 0; i < times; i++)
@@ -14,7 +14,7 @@ public static class Copies
     }
 
     /// <summary>Each point once for every triangle that meets there: from two to six times, in no order.</summary>
-    public static Vector3[] Unwelded(FuzzRandom random, Vector3[] cloud)
+    public static Vector3[] Unwelded(Rng random, Vector3[] cloud)
     {
         Vector3[] copies = [.. cloud.SelectMany(p => Enumerable.Repeat(p, 2 + random.Below(5)))];
         for (int i = copies.Length - 1; i > 0; i--)
@@ -30,12 +30,12 @@ public static class Copies
     public static Vector3[] Welded(Vector3[] cloud) => [.. cloud.Distinct()];
 
     /// <summary>Measured, with an error of a given size.</summary>
-    public static Vector3[] Scanned(FuzzRandom random, Vector3[] cloud, double noise) =>
+    public static Vector3[] Scanned(Rng random, Vector3[] cloud, double noise) =>
         Array.ConvertAll(cloud, p => (Vector3)((Double3)p + Error(random, noise)));
 
-    private static Double3 Error(FuzzRandom random, double noise) =>
+    private static Double3 Error(Rng random, double noise) =>
         new(random.Range(-noise, noise), random.Range(-noise, noise), random.Range(-noise, noise));
 
-    private static float Beside(FuzzRandom random, float x) =>
+    private static float Beside(Rng random, float x) =>
         random.Below(3) switch { 0 => x, 1 => MathF.BitIncrement(x), _ => MathF.BitDecrement(x) };
 }

@@ -4,7 +4,7 @@ namespace Gjk.Exact.Meshes;
 public static class Extrusions
 {
     /// <summary>A regular prism, as a "cylinder" with so many sides.</summary>
-    public static Vector3[] Prism(FuzzRandom random)
+    public static Vector3[] Prism(Rng random)
     {
         var t = Trigonometry.Any(random);
         int sides = random.OneIn(6) ? 3 + random.Below(62) : Lathe.Count(random);
@@ -17,7 +17,7 @@ public static class Extrusions
     }
 
     /// <summary>Teeth with flat heads on a wheel: every other pair of corners is inside of the hull.</summary>
-    public static Vector3[] Gear(FuzzRandom random)
+    public static Vector3[] Gear(Rng random)
     {
         var t = Trigonometry.Any(random);
         int teeth = 3 + random.Below(14);
@@ -34,7 +34,7 @@ public static class Extrusions
     }
 
     /// <summary>A ring of rings: the hull has two wide flat faces, a belt of quads and nothing of the hole.</summary>
-    public static Vector3[] Torus(FuzzRandom random)
+    public static Vector3[] Torus(Rng random)
     {
         var t = Trigonometry.Any(random);
         int around = Lathe.Count(random), across = Lathe.Count(random);
@@ -50,7 +50,7 @@ public static class Extrusions
     }
 
     /// <summary>A logarithmic spiral, flat or rising: neighbours of every size in one outline.</summary>
-    public static Vector3[] Spiral(FuzzRandom random)
+    public static Vector3[] Spiral(Rng random)
     {
         var points = new Vector3[6 + random.Below(60)];
         double grow = random.Range(0.01, 0.3), rise = random.OneIn(2) ? 0 : random.Range(0.01, 0.2);

@@ -10,7 +10,7 @@ public static class Icosphere
         3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1,
     ];
 
-    public static Vector3[] Any(FuzzRandom random)
+    public static Vector3[] Any(Rng random)
     {
         int times = random.OneIn(8) ? 2 : random.Below(2);
         return random.OneIn(2) ? InFloat(times) : InDouble(times);

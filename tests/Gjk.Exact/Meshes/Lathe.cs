@@ -10,7 +10,7 @@ public static class Lathe
         [.. profile.SelectMany(p => Ring(trigonometry, p.Radius, p.Height, count, seam))];
 
     /// <summary>A UV sphere: the rings at the poles are as wide as the sine of pi in the arithmetic used.</summary>
-    public static Vector3[] Sphere(FuzzRandom random)
+    public static Vector3[] Sphere(Rng random)
     {
         var t = Trigonometry.Any(random);
         int rings = Count(random);
@@ -18,7 +18,7 @@ public static class Lathe
     }
 
     /// <summary>A sphere drawn out towards one pole.</summary>
-    public static Vector3[] Egg(FuzzRandom random)
+    public static Vector3[] Egg(Rng random)
     {
         var t = Trigonometry.Any(random);
         int rings = Count(random);
@@ -29,7 +29,7 @@ public static class Lathe
     }
 
     /// <summary>The upper half of a sphere, with or without the middle of its base.</summary>
-    public static Vector3[] Hemisphere(FuzzRandom random)
+    public static Vector3[] Hemisphere(Rng random)
     {
         var t = Trigonometry.Any(random);
         int rings = 2 * (1 + Count(random) / 2);
@@ -39,7 +39,7 @@ public static class Lathe
 
     /// <summary>Two half spheres apart, in the way of a sphere whose rings were moved up and down; the middle ring is
     /// there twice.</summary>
-    public static Vector3[] Capsule(FuzzRandom random)
+    public static Vector3[] Capsule(Rng random)
     {
         var t = Trigonometry.Any(random);
         int rings = 2 * (1 + Count(random) / 2);
@@ -52,7 +52,7 @@ public static class Lathe
     }
 
     /// <summary>Body, shoulder and neck; the convex hull bridges the shoulder.</summary>
-    public static Vector3[] Bottle(FuzzRandom random)
+    public static Vector3[] Bottle(Rng random)
     {
         var t = Trigonometry.Any(random);
         double body = random.Range(0.3, 0.6), neck = body * random.Range(0.2, 0.5);
@@ -64,7 +64,7 @@ public static class Lathe
     }
 
     /// <summary>Rings along a curve of sines, as a turner's tool would follow it.</summary>
-    public static Vector3[] Vase(FuzzRandom random)
+    public static Vector3[] Vase(Rng random)
     {
         var t = Trigonometry.Any(random);
         int rings = Count(random);
@@ -77,7 +77,7 @@ public static class Lathe
 
     /// <summary>A cone of rings: all points of the slope are on the hull or within rounding of it, and the apex is a
     /// ring of no width.</summary>
-    public static Vector3[] Cone(FuzzRandom random)
+    public static Vector3[] Cone(Rng random)
     {
         var t = Trigonometry.Any(random);
         int rings = random.OneIn(2) ? 1 : Count(random);
@@ -88,7 +88,7 @@ public static class Lathe
     }
 
     /// <summary>From 3 to 40, mostly few.</summary>
-    public static int Count(FuzzRandom random) => (int)random.Magnitude(3, random.OneIn(8) ? 41 : 14);
+    public static int Count(Rng random) => (int)random.Magnitude(3, random.OneIn(8) ? 41 : 14);
 
     private static IEnumerable<Vector3> Ring(Trigonometry t, double radius, double height, int count, bool seam) =>
         Enumerable.Range(0, seam ? count + 1 : count).Select(i => t.OnRing(radius, height, i, count));

@@ -3,7 +3,7 @@ namespace Gjk.Exact.Meshes;
 /// <summary>Meshes of about unit size as people and programs make them.</summary>
 public static class MadeMeshes
 {
-    public static Vector3[] Any(FuzzRandom random) => random.Below(8) switch
+    public static Vector3[] Any(Rng random) => random.Below(8) switch
     {
         0 => Copies.OneFloatApart(random, Small(random), 1 + random.Below(3)),
         1 => Copies.Unwelded(random, Small(random)),
@@ -13,7 +13,7 @@ public static class MadeMeshes
     };
 
     /// <summary>Resized and turned in float, as an exporter bakes a transform into the vertices.</summary>
-    public static Vector3[] Baked(FuzzRandom random)
+    public static Vector3[] Baked(Rng random)
     {
         Vector3[] cloud = Any(random);
         Quaternion turn = Rotations.Any(random);
@@ -23,7 +23,7 @@ public static class MadeMeshes
         return Array.ConvertAll(cloud, p => Vector3.Transform(p * size, turn));
     }
 
-    private static Vector3[] Regular(FuzzRandom random) => random.Below(15) switch
+    private static Vector3[] Regular(Rng random) => random.Below(15) switch
     {
         0 => Lathe.Egg(random),
         1 => Lathe.Hemisphere(random),
@@ -43,7 +43,7 @@ public static class MadeMeshes
     };
 
     /// <summary>What may be repeated without becoming large.</summary>
-    private static Vector3[] Small(FuzzRandom random) => random.Below(4) switch
+    private static Vector3[] Small(Rng random) => random.Below(4) switch
     {
         0 => Boxes.Bevelled(random),
         1 => Clouds.InBox(random, 4 + random.Below(20), Vector3.One),

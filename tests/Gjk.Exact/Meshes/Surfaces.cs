@@ -54,7 +54,7 @@ public static class Surfaces
     }
 
     /// <summary>Triangles at random, some of them degenerate or repeated.</summary>
-    public static TriangleSoup Soup(FuzzRandom random, int count, double size)
+    public static TriangleSoup Soup(Rng random, int count, double size)
     {
         var points = new List<Vector3>();
         var indices = new List<int>();
@@ -151,7 +151,7 @@ public static class Surfaces
     }
 
     /// <summary>Leaves that share a spine, some of them twice or the other way round.</summary>
-    public static TriangleSoup Book(FuzzRandom random, int leaves)
+    public static TriangleSoup Book(Rng random, int leaves)
     {
         Vector3[] points = [default, Vector3.UnitY, .. Enumerable.Range(0, leaves).Select(_ => random.Vector(1))];
         var indices = new List<int>();

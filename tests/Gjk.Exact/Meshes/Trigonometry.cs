@@ -6,7 +6,7 @@ namespace Gjk.Exact.Meshes;
 /// end.</param>
 public readonly record struct Trigonometry(bool InFloat)
 {
-    public static Trigonometry Any(FuzzRandom random) => new(random.OneIn(2));
+    public static Trigonometry Any(Rng random) => new(random.OneIn(2));
 
     /// <summary>A point of a surface of revolution about the y axis.</summary>
     /// <param name="radius">Of the ring.</param>

@@ -8,18 +8,18 @@ internal static class RandomShape
     /// <summary>Count: more than a hull that is scanned as a whole has.</summary>
     private const int MostCorners = 200;
 
-    public static ConvexShape Make(FuzzRandom random)
+    public static ConvexShape Make(Rng random)
     {
         ConvexShape shape = Bare(random, random.Below(Kinds));
         if (random.OneIn(4))
             shape = shape.Scaled(new Vector3(random.Float(0.5, 2), random.Float(0.5, 2), random.Float(-2, -0.5)));
         if (random.OneIn(4)) shape = shape.Rounded(random.Float(0.01, 0.2));
         return random.OneIn(4)
-            ? shape.Placed(new RigidPose(Rotations.Even(random), random.Vector(2)))
+            ? shape.Placed(new RigidPose(random.Rotation(), random.Vector(2)))
             : shape;
     }
 
-    private static ConvexShape Bare(FuzzRandom random, int kind) => kind switch
+    private static ConvexShape Bare(Rng random, int kind) => kind switch
     {
         0 => ConvexShape.Point(),
         1 => ConvexShape.Segment(random.Vector(1), random.Vector(1)),
@@ -33,7 +33,7 @@ internal static class RandomShape
         _ => Mesh(random),
     };
 
-    private static ConvexShape Mesh(FuzzRandom random)
+    private static ConvexShape Mesh(Rng random)
     {
         var points = new Vector3[4 + random.Below(random.OneIn(4) ? MostCorners : 20)];
         for (int i = 0; i < points.Length; i++) points[i] = (Vector3)random.Direction();

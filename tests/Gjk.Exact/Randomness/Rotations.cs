@@ -7,34 +7,17 @@ public static class Rotations
     /// <summary>A pose accepts a length of 1 within 1e-3; the last tenth is left for the rounding to float.</summary>
     private const double Drift = 9e-4;
 
-    public static Quaternion Any(FuzzRandom random) => random.Below(8) switch
+    public static Quaternion Any(Rng random) => random.Below(8) switch
     {
         0 => Quaternion.Identity,
         1 => Turned(random, random.Of(0.25, 0.5, 0.75) * Math.PI),
         2 => Tiny(random),
-        3 => Drifted(random, Even(random)),
-        _ => Even(random),
+        3 => Drifted(random, random.Rotation()),
+        _ => random.Rotation(),
     };
 
-    /// <summary>Spread evenly over all rotations: a direction in four dimensions.</summary>
-    public static Quaternion Even(FuzzRandom random) => Even(random, 0.01);
-
-    /// <param name="random">The source.</param>
-    /// <param name="least">A point of a smaller squared length is drawn again.</param>
-    public static Quaternion Even(FuzzRandom random, double least)
-    {
-        while (true)
-        {
-            double x = random.Range(-1, 1), y = random.Range(-1, 1), z = random.Range(-1, 1), w = random.Range(-1, 1);
-            double square = x * x + y * y + z * z + w * w;
-            if (square < least || square > 1) continue;
-            double s = 1 / Math.Sqrt(square);
-            return new Quaternion((float)(x * s), (float)(y * s), (float)(z * s), (float)(w * s));
-        }
-    }
-
     /// <summary>By a thousandth of a radian down to far less than a float can hold beside 1.</summary>
-    public static Quaternion Tiny(FuzzRandom random)
+    public static Quaternion Tiny(Rng random)
     {
         float angle = (float)random.Magnitude(1e-12, 1e-3);
         return random.Below(3) switch
@@ -46,7 +29,7 @@ public static class Rotations
     }
 
     /// <summary>Turned by next to nothing.</summary>
-    public static Quaternion Nudged(FuzzRandom random, Quaternion q) => Times(Tiny(random), q);
+    public static Quaternion Nudged(Rng random, Quaternion q) => Times(Tiny(random), q);
 
     /// <summary>The product in double, of unit length to float rounding whatever the lengths of the factors.</summary>
     public static Quaternion Times(Quaternion p, Quaternion q)
@@ -61,11 +44,11 @@ public static class Rotations
     }
 
     /// <summary>The rotation, to float rounding, with another length of its quaternion.</summary>
-    public static Quaternion Drifted(FuzzRandom random, Quaternion q) =>
+    public static Quaternion Drifted(Rng random, Quaternion q) =>
         OfLength(1 + random.Range(-Drift, Drift), q.X, q.Y, q.Z, q.W);
 
     /// <summary>About a coordinate axis; the argument is half the angle.</summary>
-    private static Quaternion Turned(FuzzRandom random, double half)
+    private static Quaternion Turned(Rng random, double half)
     {
         float s = (float)Math.Sin(half), c = (float)Math.Cos(half);
         return random.Below(3) switch { 0 => new(s, 0, 0, c), 1 => new(0, s, 0, c), _ => new(0, 0, s, c) };

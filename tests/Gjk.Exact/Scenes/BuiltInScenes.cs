@@ -119,14 +119,14 @@ public static class BuiltInScenes
 
     private static RigidPose[] GridPoses(ulong seed)
     {
-        var random = new FuzzRandom(seed);
+        var random = new Rng(seed);
         var poses = new RigidPose[ObjectCount];
         for (int i = 0; i < poses.Length; i++)
         {
             bool upper = i >= poses.Length / 2;
             int column = i % (poses.Length / 2) / 2, row = i % 2;
             var position = new Vector3(column * Apart, upper ? UpperHeight : 0, row * (upper ? Close : Apart));
-            poses[i] = new RigidPose(Rotations.Even(random), position);
+            poses[i] = new RigidPose(random.Rotation(), position);
         }
 
         return poses;
@@ -135,14 +135,14 @@ public static class BuiltInScenes
     /// <summary>Poses with uniformly distributed positions in the room.</summary>
     private static RigidPose[] PosesIn(in Aabb room, int count, ulong seed)
     {
-        var random = new FuzzRandom(seed);
+        var random = new Rng(seed);
         var poses = new RigidPose[count];
         Vector3 middle = (room.Min + room.Max) / 2, half = (room.Max - room.Min) / 2;
         for (int i = 0; i < poses.Length; i++)
         {
             var place = new Vector3(
                 (float)random.Signed(), (float)random.Signed(), (float)random.Signed());
-            poses[i] = new RigidPose(Rotations.Even(random), middle + half * place);
+            poses[i] = new RigidPose(random.Rotation(), middle + half * place);
         }
 
         return poses;

@@ -34,7 +34,7 @@ public sealed class MovingObjects
         Poses = [.. poses];
         _firstSteps = new Vector3[Poses.Length];
         _turns = new Double3[Poses.Length];
-        var random = new FuzzRandom(Seed);
+        var random = new Rng(Seed);
         for (int i = 0; i < Poses.Length; i++)
         {
             _firstSteps[i] = (Vector3)(random.Direction() * speed);

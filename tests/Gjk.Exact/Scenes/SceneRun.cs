@@ -14,7 +14,7 @@ internal static class SceneRun
         var hash = new BitHash();
         Run(BuiltInScenes.Cubes(WorldObjects), null, BroadPhaseKind.DynamicTree, ref hash);
         Run(BuiltInScenes.Spheres(), null, BroadPhaseKind.DynamicTree, ref hash);
-        Run(BuiltInScenes.Cubes(WorldObjects), new FuzzRandom(4), BroadPhaseKind.SortAndSweep, ref hash);
+        Run(BuiltInScenes.Cubes(WorldObjects), new Rng(4), BroadPhaseKind.SortAndSweep, ref hash);
         return hash;
     }
 
@@ -22,13 +22,13 @@ internal static class SceneRun
     /// <param name="mixed">Chooses their shapes; null for the scene's own.</param>
     /// <param name="phase">How pairs are found.</param>
     /// <param name="hash">Gets the answers.</param>
-    private static void Run(BuiltInScene built, FuzzRandom? mixed, BroadPhaseKind phase, ref BitHash hash)
+    private static void Run(BuiltInScene built, Rng? mixed, BroadPhaseKind phase, ref BitHash hash)
     {
         ConvexShape own = ConvexShape.Mesh(built.Vertices);
         var scene = new CollisionScene(phase);
         foreach (RigidPose pose in built.Poses) scene.Add(mixed is null ? own : RandomShape.Make(mixed), pose);
         var moving = new MovingObjects(built, Speed);
-        var random = new FuzzRandom(5);
+        var random = new Rng(5);
         for (int frame = 0; frame < Frames; frame++)
         {
             AskPairs(scene, ref hash);
@@ -69,7 +69,7 @@ internal static class SceneRun
     }
 
     private static void AskWorld(
-        CollisionScene scene, in ConvexShape shape, in RigidPose pose, FuzzRandom random, ref BitHash hash)
+        CollisionScene scene, in ConvexShape shape, in RigidPose pose, Rng random, ref BitHash hash)
     {
         var rays = new List<RayHit>();
         var casts = new List<CastHit>();

@@ -6,7 +6,7 @@ public unsafe class BoxLanesTests
     [Fact]
     public void ABoxHoldsTheTrianglesBelowIt()
     {
-        var random = new FuzzRandom(5);
+        var random = new Rng(5);
         for (int round = 0; round < 40; round++)
         {
             TriangleMesh mesh = round % 2 == 0
@@ -51,7 +51,7 @@ public unsafe class BoxLanesTests
     [Fact]
     public void BoundsAreNeverAboveTheDistance()
     {
-        var random = new FuzzRandom(6);
+        var random = new Rng(6);
         float* bounds = stackalloc float[8], entries = stackalloc float[8];
         for (int round = 0; round < 400; round++)
         {

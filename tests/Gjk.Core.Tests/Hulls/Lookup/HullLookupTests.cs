@@ -32,7 +32,7 @@ public class HullLookupTests
         int boxes = 0, cells = 0, flats = 0, scans = 0;
         for (int seed = 0; seed < MadeHulls; seed++)
         {
-            var random = new FuzzRandom((ulong)seed);
+            var random = new Rng((ulong)seed);
             Vector3[] cloud = seed % 3 == 0 ? MadeMeshes.Baked(random) : MadeMeshes.Any(random);
             Vector3 away = random.Vector(1) * (float)random.Magnitude(1e3, 1e7), factors = random.Factors(1e-10, 1e10);
             if (seed % 5 == 0) cloud = Array.ConvertAll(cloud, p => p + away);

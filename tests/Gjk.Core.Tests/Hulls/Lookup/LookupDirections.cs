@@ -22,7 +22,7 @@ internal sealed class LookupDirections(ConvexHull hull, Rng rng)
         3 => OnACellBorder(),
         4 => AlongAnEdge(),
         5 => new Double3(rng.Below(7) - 3, rng.Below(7) - 3, rng.Below(7) - 3),
-        _ => (Double3)rng.Direction(),
+        _ => (Double3)rng.UnitVector(),
     };
 
     private Double3 Axis()
@@ -47,7 +47,7 @@ internal sealed class LookupDirections(ConvexHull hull, Rng rng)
     }
 
     /// <summary>A direction orthogonal to an edge: both ends are level.</summary>
-    private Double3 AcrossAnEdge() => Unit(Double3.Cross(AlongAnEdge(), (Double3)rng.Direction()));
+    private Double3 AcrossAnEdge() => Unit(Double3.Cross(AlongAnEdge(), (Double3)rng.UnitVector()));
 
     /// <summary>A direction whose stretched components are exactly between two cells, or on the edge of the
     /// cube.</summary>
@@ -67,7 +67,7 @@ internal sealed class LookupDirections(ConvexHull hull, Rng rng)
     }
 
     private Double3 Near(in Double3 d) =>
-        d + (Double3)rng.Direction() * (d.Length * Math.Pow(10, rng.Range(-18, -1)));
+        d + (Double3)rng.UnitVector() * (d.Length * Math.Pow(10, rng.Range(-18, -1)));
 
     /// <summary>Some components 0, 1e-20 of the length, or denormal.</summary>
     private Double3 WithoutSome(in Double3 d) => new(Less(d.X), Less(d.Y), Less(d.Z));

@@ -122,7 +122,7 @@ public class HalfSpaceMotionTests
             var rng = new Rng(seed);
             ConvexShape shape = Generators.Shape(rng, kind).Shape;
             var pose = new RigidPose(rng.Rotation(), rng.Vector(-3, 3) + new Vector3(0, 3, 0));
-            var motion = new RigidMotion(pose, rng.Vector(-5, 5), rng.Direction() * rng.Float(0, 9));
+            var motion = new RigidMotion(pose, rng.Vector(-5, 5), rng.UnitVector() * rng.Float(0, 9));
             CastOptions options = rng.Below(3) > 0 ? default : CastOptions.OnlyDeeper(rng.Float(0.05, 1));
             var still = new RigidMotion(RigidPose.Identity, default);
             CastResult found = ConvexQuery.TimeOfImpact(Floor, still, shape, motion, 0, 1, options);
@@ -154,7 +154,7 @@ public class HalfSpaceMotionTests
             var rng = new Rng(seed);
             string[] kinds = Generators.PolytopeKinds;
             ConvexShape shape = Generators.Shape(rng, kinds[rng.Below(kinds.Length)]).Shape;
-            ConvexShape plane = ConvexShape.HalfSpace(rng.Direction(), rng.Float(-1, 1));
+            ConvexShape plane = ConvexShape.HalfSpace(rng.UnitVector(), rng.Float(-1, 1));
             RigidMotion a = Motion(rng), b = Motion(rng);
             if (!(ConvexQuery.SignedDistance(plane, a.Pose, shape, b.Pose).Distance > 0)) continue;
             CastResult found = ConvexQuery.TimeOfImpact(plane, a, shape, b, tolerance);
@@ -207,7 +207,7 @@ public class HalfSpaceMotionTests
 
     private static RigidMotion Motion(Rng rng) => new(
         new(rng.Rotation(), rng.Vector(-4, 4)), rng.Vector(-3, 3),
-        rng.Below(4) == 0 ? default : rng.Direction() * rng.Float(0.1, 4));
+        rng.Below(4) == 0 ? default : rng.UnitVector() * rng.Float(0.1, 4));
 
     private static RigidPose At(in RigidMotion motion, float f)
     {

@@ -174,7 +174,7 @@ public class HalfSpaceSceneTests
         ulong seed, out AnyShape shape, out RigidPose pose, out RigidPose at, out Vector3 way)
     {
         var rng = new Rng(seed);
-        shape = ConcaveShapes.Any(new FuzzRandom(seed));
+        shape = ConcaveShapes.Any(new Rng(seed));
         pose = new RigidPose(rng.Rotation(), rng.Vector(-2, 2));
         at = new RigidPose(rng.Rotation(), rng.Vector(-1, 1));
         way = rng.Vector(-4, 4);
@@ -188,7 +188,7 @@ public class HalfSpaceSceneTests
             (AnyShape.Of(Floor), RigidPose.Identity), (AnyShape.Of(Wall), RigidPose.Identity),
             (AnyShape.Surface(ConcaveShapes.Torus(8, 6)), new RigidPose(new Vector3(2, 0.5f, 0))),
             (AnyShape.Solid(ConcaveShapes.Box(new Vector3(1))), new RigidPose(new Vector3(-3, 2, 0))),
-            (AnyShape.Of(ConcaveShapes.Compound(new FuzzRandom(3), 4)), new RigidPose(new Vector3(0, 2, 3))),
+            (AnyShape.Of(ConcaveShapes.Compound(new Rng(3), 4)), new RigidPose(new Vector3(0, 2, 3))),
         ];
         for (int i = 0; i < 40; i++)
         {

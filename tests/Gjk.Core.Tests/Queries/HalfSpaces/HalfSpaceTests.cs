@@ -148,7 +148,7 @@ public class HalfSpaceTests
         for (ulong seed = 1; seed <= 300; seed++)
         {
             var rng = new Rng(seed);
-            ConvexShape plane = ConvexShape.HalfSpace(rng.Direction() * rng.LogFloat(0.1, 10), rng.Float(-3, 3));
+            ConvexShape plane = ConvexShape.HalfSpace(rng.UnitVector() * rng.LogFloat(0.1, 10), rng.Float(-3, 3));
             Vector3 point = rng.Vector(-5, 5), scale = rng.Vector(0.3, 2);
             if (rng.Below(2) == 0) scale = -scale;
             if (rng.Below(2) == 0) scale.Y = -scale.Y;
@@ -173,7 +173,7 @@ public class HalfSpaceTests
         for (ulong seed = 1; seed <= 200; seed++)
         {
             var rng = new Rng(seed);
-            Vector3 far = rng.Vector(-1e7, 1e7), normal = rng.Direction();
+            Vector3 far = rng.Vector(-1e7, 1e7), normal = rng.UnitVector();
             var turn = new RigidPose(rng.Rotation(), far);
             ConvexShape plane = ConvexShape.HalfSpace(normal, rng.Float(-1, 1)).Placed(new RigidPose(far)).Placed(turn);
             ConvexShape back = plane.Placed(turn.Inverse()).Placed(new RigidPose(-far));

@@ -136,7 +136,7 @@ public class RayAccuracyTests
     /// <summary>At a point in or beside the shape's box, from a distance in its sizes.</summary>
     private static (Vector3 Origin, Vector3 Direction) Aimed(Rng rng, RayShape shape, RigidPose pose, double distance)
     {
-        Vector3 direction = rng.Direction();
+        Vector3 direction = rng.UnitVector();
         Vector3 local = (Vector3)CoreMiddle(shape) + Inside(rng, shape);
         Double3 aim = new RotationD(pose.Rotation).Rotate(local) + pose.Position;
         return ((Vector3)(aim - (Double3)direction * (distance * shape.Scale)), direction * rng.LogFloat(1e-3, 1e3));
@@ -155,7 +155,7 @@ public class RayAccuracyTests
     private static (Vector3 Origin, Vector3 Direction) Grazing(Rng rng, RayShape shape, RigidPose pose)
     {
         var body = new RotationD(pose.Rotation);
-        Double3 n = rng.Direction(), other = rng.Direction();
+        Double3 n = rng.UnitVector(), other = rng.UnitVector();
         n *= 1 / n.Length;
         Double3 along = Double3.Cross(n, other);
         along *= 1 / along.Length;

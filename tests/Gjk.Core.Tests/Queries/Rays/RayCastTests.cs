@@ -36,7 +36,7 @@ public class RayCastTests
         {
             var rng = new Rng((ulong)i);
             var sphere = new SphereShape(rng.Float(0.1, 1));
-            Vector3 origin = rng.Direction() * 3;
+            Vector3 origin = rng.UnitVector() * 3;
             float all = ConvexQuery.RayCast(sphere, Here, origin, -origin).Distance;
             CastStatus before = ConvexQuery.RayCast(sphere, Here, origin, -origin, all * (1 - 1e-6f)).Status;
             CastStatus beyond = ConvexQuery.RayCast(sphere, Here, origin, -origin, all * (1 + 1e-6f)).Status;
@@ -169,7 +169,7 @@ public class RayCastTests
             TestShape shape = p.A.Shape.Kind == ShapeKind.Point ? p.B : p.A;
             var rng = new Rng((ulong)i);
             Vector3 center = (Vector3)(new RotationD(p.PoseA.Rotation).Rotate(shape.Shape.Center) + p.PoseA.Position);
-            Vector3 origin = center + rng.Direction() * (float)shape.LongestSide * rng.Float(0.2, 20);
+            Vector3 origin = center + rng.UnitVector() * (float)shape.LongestSide * rng.Float(0.2, 20);
             Vector3 direction = center + rng.Vector(-0.3, 0.3) * (float)shape.LongestSide - origin;
             RayCastResult r = ConvexQuery.RayCast(shape.Shape, p.PoseA, origin, direction);
             RayCastResult cast = ConvexQuery.RayCast(
@@ -196,13 +196,13 @@ public class RayCastTests
             var rng = new Rng((ulong)(9000 + i));
             TestShape shape = Generators.Shape(rng, kind);
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
-            Vector3 out1 = rng.Direction() * 100 * (float)(shape.LongestSide + shape.Shape.Center.Length);
+            Vector3 out1 = rng.UnitVector() * 100 * (float)(shape.LongestSide + shape.Shape.Center.Length);
             Vector3 surface = ConvexQuery.ClosestPoint(shape.Shape, pose, out1);
             foreach (float way in new[] { 0, 1e-3f, -1e-3f })
             {
                 Vector3 origin = surface + (out1 - surface) * way;
                 bool isIn = ConvexQuery.Contains(shape.Shape, pose, origin);
-                RayCastResult r = ConvexQuery.RayCast(shape.Shape, pose, origin, rng.Direction());
+                RayCastResult r = ConvexQuery.RayCast(shape.Shape, pose, origin, rng.UnitVector());
                 float depth = -ConvexQuery.SignedDistance(shape.Shape, pose, origin).Distance;
                 bool isDeep = depth > 1e-6 * shape.LongestSide, isInside = r.Status == CastStatus.OverlappingAtStart;
                 Assert.True(

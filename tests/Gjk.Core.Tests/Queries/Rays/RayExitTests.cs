@@ -93,8 +93,8 @@ public class RayExitTests
             RigidPose pose = Generators.Pose(rng, rng.Vector(-2, 2));
             float size = (float)(shape.BoundingRadius + shape.Margin);
             var center = (Vector3)(new RotationD(pose.Rotation).Rotate(shape.Center) + pose.Position);
-            Vector3 origin = center + rng.Direction() * (size * rng.Float(0, 3));
-            Vector3 direction = center + rng.Direction() * (size * rng.Float(0, 0.5)) - origin;
+            Vector3 origin = center + rng.UnitVector() * (size * rng.Float(0, 3));
+            Vector3 direction = center + rng.UnitVector() * (size * rng.Float(0, 0.5)) - origin;
             if (direction == Vector3.Zero) continue;
             RayCastResult start = ConvexQuery.RayCast(shape, pose, origin, direction);
             RayCastResult end = ConvexQuery.RayExit(shape, pose, origin, direction);

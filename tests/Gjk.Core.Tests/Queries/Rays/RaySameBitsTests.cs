@@ -73,7 +73,7 @@ public class RaySameBitsTests
         {
             var rng = new Rng((ulong)i);
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
-            Vector3 origin = pose.Position + rng.Direction() * rng.LogFloat(0.3, 1e4);
+            Vector3 origin = pose.Position + rng.UnitVector() * rng.LogFloat(0.3, 1e4);
             Vector3 direction = pose.Position + rng.Vector(-0.3, 0.3) - origin;
             if (i % 4 == 0)
             {

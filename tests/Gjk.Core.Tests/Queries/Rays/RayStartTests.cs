@@ -58,7 +58,7 @@ public class RayStartTests
             RigidPose pose = i % 2 == 0 ? Here : Generators.Pose(rng, default);
             Vector3 along = Vector3.Transform(new(rng.Float(-1, 1), 0, rng.Float(-1, 1)), pose.Rotation);
             Vector3 aim = pose.TransformPoint(new Vector3(rng.Float(-0.5, 0.5), 0, rng.Float(-0.3, 0.3)));
-            Vector3 direction = along + rng.Direction() * rng.LogFloat(1e-7, 1e-2);
+            Vector3 direction = along + rng.UnitVector() * rng.LogFloat(1e-7, 1e-2);
             TrueHit found = shape.Cast(pose, aim - direction * 8, direction, double.PositiveInfinity);
             if (found.Status != CastStatus.Hit) continue;
             double way = found.Distance - rng.LogFloat(1e-10, 1e-3);

@@ -78,10 +78,10 @@ public class RayThinTests
             var rng = new Rng((ulong)i);
             RayShape shape = make(rng, sizes[i % sizes.Length]);
             RigidPose pose = Generators.Pose(rng, rng.Vector(-1, 1));
-            shape.Shape.Support(rng.Direction(), out Double3 far);
+            shape.Shape.Support(rng.UnitVector(), out Double3 far);
             Double3 aim = shape.Shape.Center + far * rng.Range(-0.9, 0.9);
-            Vector3 at = pose.TransformPoint((Vector3)aim) + rng.Direction() * rng.Float(0, 0.8);
-            Vector3 direction = rng.Direction(), origin = at - direction * rng.LogFloat(1, 1e4);
+            Vector3 at = pose.TransformPoint((Vector3)aim) + rng.UnitVector() * rng.Float(0, 0.8);
+            Vector3 direction = rng.UnitVector(), origin = at - direction * rng.LogFloat(1, 1e4);
             TrueHit truth = shape.Cast(pose, origin, direction, double.PositiveInfinity);
             if (!IsClear(shape, pose, origin, direction, truth)) continue;
             asked++;

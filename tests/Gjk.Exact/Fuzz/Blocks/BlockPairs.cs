@@ -12,7 +12,7 @@ internal sealed class BlockPairs
     /// <summary>Positions beyond it are drawn again: sums of two must stay floats.</summary>
     private const double Largest = 1e37;
 
-    private readonly FuzzRandom _random;
+    private readonly Rng _random;
     private readonly ConvexShape[] _shapes = new ConvexShape[ShapeCount];
     private ConvexShape _a, _b;
     private Quaternion _turnA, _turnB;
@@ -24,7 +24,7 @@ internal sealed class BlockPairs
     /// <param name="seed">Of the block.</param>
     public BlockPairs(ulong seed)
     {
-        _random = new FuzzRandom(seed);
+        _random = new Rng(seed);
         float unit = _random.OneIn(4) ? (float)_random.Magnitude(1e-12, 1e12) : 1;
         for (int i = 0; i < ShapeCount; i++) _shapes[i] = Sized(Decorated(Shape()), unit);
     }

@@ -39,7 +39,7 @@ internal readonly record struct BlockResult(
     }
 
     /// <summary>The seed of a block.</summary>
-    public static ulong SeedOf(ulong seed, long block) => FuzzRandom.ForPair(seed, block).Next();
+    public static ulong SeedOf(ulong seed, long block) => Rng.ForPair(seed, block).Next();
 
     /// <summary>All pairs of a block, each held to its certificate.</summary>
     /// <param name="number">Of the block.</param>

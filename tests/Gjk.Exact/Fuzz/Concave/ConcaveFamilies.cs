@@ -11,7 +11,7 @@ internal static class ConcaveFamilies
     /// <summary>The largest motion, in world units: positions stay within floats.</summary>
     private const double Largest = 1e35;
 
-    private static readonly (string Name, int Weight, Func<FuzzRandom, ConcavePair> Make)[] s_all =
+    private static readonly (string Name, int Weight, Func<Rng, ConcavePair> Make)[] s_all =
     [
         ("surfaces", 8, r => Beside(r, RawShapes.Surface(r), RawShapes.Any(r))),
         ("terrain", 4, r => Beside(r, RawShapes.Terrain(r), RawShapes.Any(r))),
@@ -37,7 +37,7 @@ internal static class ConcaveFamilies
     /// <summary>The pair of a seed and a number, with its family's name.</summary>
     public static ConcavePair Draw(ulong seed, long index, out string family)
     {
-        FuzzRandom random = FuzzRandom.ForPair(seed ^ 0x434F4E43415645, index);
+        Rng random = Rng.ForPair(seed ^ 0x434F4E43415645, index);
         int left = random.Below(s_weights), i = 0;
         while (left >= s_all[i].Weight) left -= s_all[i++].Weight;
         family = s_all[i].Name;
@@ -45,7 +45,7 @@ internal static class ConcaveFamilies
     }
 
     /// <summary>In any pose near each other, some of them brought together until they nearly touch.</summary>
-    private static ConcavePair Beside(FuzzRandom random, RawShape a, RawShape b)
+    private static ConcavePair Beside(Rng random, RawShape a, RawShape b)
     {
         if (random.OneIn(2)) (a, b) = (b, a);
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(1));
@@ -53,7 +53,7 @@ internal static class ConcaveFamilies
         return Placed(random, a, poseA, b, new RigidPose(Rotations.Any(random), poseA.Position + apart), 1);
     }
 
-    private static ConcavePair InSolid(FuzzRandom random)
+    private static ConcavePair InSolid(Rng random)
     {
         RawShape outer = RawShapes.Surface(random).AsSolid();
         float factor = random.Float(0.01, 0.2);
@@ -63,7 +63,7 @@ internal static class ConcaveFamilies
             new RigidPose(Rotations.Any(random), random.Vector(0.7)), 1, mayMeet: false);
     }
 
-    private static ConcavePair OnLattice(FuzzRandom random)
+    private static ConcavePair OnLattice(Rng random)
     {
         RawShape a = RawShapes.Lattice(random);
         RawShape b = random.OneIn(3)
@@ -75,11 +75,11 @@ internal static class ConcaveFamilies
     }
 
     /// <summary>Flush, or a little apart, turned alike.</summary>
-    private static ConcavePair Plates(FuzzRandom random)
+    private static ConcavePair Plates(Rng random)
     {
         RawShape plate = RawShape.Surface(Surfaces.Grid(1 + random.Below(7)));
         RawShape other = random.OneIn(3) ? RawShapes.Terrain(random) : plate;
-        Quaternion turn = random.OneIn(2) ? Quaternion.Identity : Rotations.Even(random);
+        Quaternion turn = random.OneIn(2) ? Quaternion.Identity : random.Rotation();
         var pose = new RigidPose(turn, random.OneIn(2) ? Vector3.Zero : random.Vector(1));
         float gap = random.OneIn(3) ? 0 : random.Sign() * (float)random.Magnitude(1e-8, 1e-2);
         Vector3 local = new(random.Float(-0.5, 0.5), gap, random.Float(-0.5, 0.5));
@@ -87,7 +87,7 @@ internal static class ConcaveFamilies
             random, plate, pose, other, new RigidPose(turn, pose.TransformPoint(local)), 1, mayMeet: false);
     }
 
-    private static ConcavePair WithItself(FuzzRandom random)
+    private static ConcavePair WithItself(Rng random)
     {
         RawShape shape = RawShapes.Decorated(random, RawShapes.Surface(random));
         Quaternion turn = Rotations.Any(random);
@@ -98,7 +98,7 @@ internal static class ConcaveFamilies
     }
 
     /// <summary>Screw in nut, links of a chain, teeth in teeth.</summary>
-    private static ConcavePair Interlocked(FuzzRandom random)
+    private static ConcavePair Interlocked(Rng random)
     {
         int around = 4 + random.Below(8), along = 4 + random.Below(8);
         float small = random.OneIn(3) ? 0 : (float)random.Magnitude(1e-6, 0.05);
@@ -118,7 +118,7 @@ internal static class ConcaveFamilies
             mayMeet: random.OneIn(3));
     }
 
-    private static ConcavePair WholeRange(FuzzRandom random)
+    private static ConcavePair WholeRange(Rng random)
     {
         double size = random.Magnitude(1e-30, 1e30);
         RawShape a = RawShapes.Any(random).Larger((float)size), b = RawShapes.Surface(random).Larger((float)size);
@@ -126,7 +126,7 @@ internal static class ConcaveFamilies
         return Placed(random, a, new RigidPose(Rotations.Any(random), Vector3.Zero), b, pose, size);
     }
 
-    private static ConcavePair Ratios(FuzzRandom random)
+    private static ConcavePair Ratios(Rng random)
     {
         double size = random.Magnitude(1e-9, 1e-2);
         RawShape small = RawShapes.Any(random).Larger((float)size), large = RawShapes.Surface(random);
@@ -137,7 +137,7 @@ internal static class ConcaveFamilies
     }
 
     /// <summary>A hundred kilometres away, where a float position has steps of a centimetre.</summary>
-    private static ConcavePair FarAway(FuzzRandom random)
+    private static ConcavePair FarAway(Rng random)
     {
         Vector3 away = (Vector3)(random.Direction() * 1e5);
         RawShape a = RawShapes.Surface(random), b = RawShapes.Any(random);
@@ -148,7 +148,7 @@ internal static class ConcaveFamilies
     }
 
     private static ConcavePair Placed(
-        FuzzRandom random, RawShape a, RigidPose poseA, RawShape b, RigidPose poseB, double size, bool mayMeet = true)
+        Rng random, RawShape a, RigidPose poseA, RawShape b, RigidPose poseB, double size, bool mayMeet = true)
     {
         while (a.PartCount * b.PartCount > MostPairs)
         {

@@ -90,7 +90,7 @@ internal sealed class ConcavePair
     }
 
     /// <summary>What a promise draws.</summary>
-    public FuzzRandom Random(ulong promise) => new(new FuzzRandom(_seed + promise).Next());
+    public Rng Random(ulong promise) => new(new Rng(_seed + promise).Next());
 
     public delegate T Question<T>(in ConvexShape a, in ConvexShape b);
 

@@ -13,7 +13,7 @@ public static class ExactWinding
     /// <param name="random">Draws the direction that is looked in.</param>
     /// <returns>Null where all directions meet an edge.</returns>
     public static int? About(
-        Double3[] corners, in RigidPose pose, in Double3 point, in RigidPose pointPose, FuzzRandom random)
+        Double3[] corners, in RigidPose pose, in Double3 point, in RigidPose pointPose, Rng random)
     {
         var problem = new ExactProblem(corners, 0, pose, [point], 0, pointPose);
         Int3[] seen = [.. Enumerable.Range(0, corners.Length).Select(i => problem.Vertex(i, 0))];

@@ -10,7 +10,7 @@ internal static class FirstOfParts
 
     public static string? Rays(ConcavePair pair)
     {
-        FuzzRandom random = pair.Random(6);
+        Rng random = pair.Random(6);
         for (int i = 0; i < RayCount; i++)
         {
             Vector3 origin = PointsOfParts.Near(pair, random);
@@ -27,7 +27,7 @@ internal static class FirstOfParts
         return null;
     }
 
-    private static string? Ray(ConcavePair pair, Vector3 origin, Vector3 direction, float most, FuzzRandom random)
+    private static string? Ray(ConcavePair pair, Vector3 origin, Vector3 direction, float most, Rng random)
     {
         RayCastResult[] all =
             [.. pair.PartsA.Select(part => ConvexQuery.RayCast(part, pair.PoseA, origin, direction, most))];
@@ -140,7 +140,7 @@ internal static class FirstOfParts
     public static string? Impacts(ConcavePair pair)
     {
         if (pair.PairCount > MostImpacts || pair.IsUnknown || pair.HasSolid) return null;
-        FuzzRandom random = pair.Random(8);
+        Rng random = pair.Random(8);
         var a = new RigidMotion(pair.PoseA, pair.Motion.A, random.Vector(1));
         var b = new RigidMotion(pair.PoseB, pair.Motion.B, random.Vector(1));
         CastResult[] all = pair.Ask((in ConvexShape x, in ConvexShape y) => ConvexQuery.TimeOfImpact(x, a, y, b));

@@ -30,7 +30,7 @@ internal static class LeastOfParts
         PairDistance r = pair.Answer;
         int index = pair.IndexOf(r.PartA, r.PartB);
         if (index < 0 || pair.HoldsPiece) return null;
-        FuzzRandom random = pair.Random(1);
+        Rng random = pair.Random(1);
         for (int i = 0; i <= Samples; i++)
         {
             int at = i == 0 ? index : random.Below(pair.PairCount);
@@ -76,7 +76,7 @@ internal static class LeastOfParts
     public static string? Within(ConcavePair pair)
     {
         if (pair.IsUnknown) return null;
-        FuzzRandom random = pair.Random(3);
+        Rng random = pair.Random(3);
         float[] sorted = [.. pair.All.Select(one => one.Distance).Order()];
         float reach = sorted[(int)(random.Unit() * random.Unit() * sorted.Length)];
         if (random.OneIn(3)) reach *= random.Float(1, 1.1);

@@ -4,7 +4,7 @@ namespace Gjk.Exact.Fuzz.Concave;
 /// and whether it is in A's inside, from the raw numbers.</summary>
 internal readonly record struct PointTruth(float Distance, bool IsInPart, bool IsInside)
 {
-    public static PointTruth Of(ConcavePair pair, Vector3 point, FuzzRandom random)
+    public static PointTruth Of(ConcavePair pair, Vector3 point, Rng random)
     {
         var at = new RigidPose(point);
         float least = float.PositiveInfinity;
@@ -29,7 +29,7 @@ internal static class PointsOfParts
 
     public static string? Broken(ConcavePair pair)
     {
-        FuzzRandom random = pair.Random(9);
+        Rng random = pair.Random(9);
         for (int i = 0; i < Count; i++)
         {
             Vector3 point = random.OneIn(2) ? Near(pair, random) : OnA(pair, random);
@@ -42,7 +42,7 @@ internal static class PointsOfParts
     }
 
     /// <summary>Between the two, in them or around them.</summary>
-    public static Vector3 Near(ConcavePair pair, FuzzRandom random)
+    public static Vector3 Near(ConcavePair pair, Rng random)
     {
         Vector3 a = Corner(pair, random), b = Corner(pair, random), c = Corner(pair, random);
         float u = random.Float(-0.3, 1.3), v = random.Float(-0.3, 1.3);
@@ -50,7 +50,7 @@ internal static class PointsOfParts
     }
 
     /// <summary>At a corner of A, on an edge or in a triangle, but for rounding, or a little off it.</summary>
-    public static Vector3 OnA(ConcavePair pair, FuzzRandom random)
+    public static Vector3 OnA(ConcavePair pair, Rng random)
     {
         int part = random.Below(pair.PartsA.Length);
         if (pair.RawA.CornersOf(part) is not { Length: >= 3 } corners) return Near(pair, random);
@@ -66,7 +66,7 @@ internal static class PointsOfParts
         return world + (Vector3)(random.Direction() * size);
     }
 
-    private static Vector3 Corner(ConcavePair pair, FuzzRandom random)
+    private static Vector3 Corner(ConcavePair pair, Rng random)
     {
         bool isA = random.OneIn(2);
         ConvexShape[] parts = isA ? pair.PartsA : pair.PartsB;

@@ -3,7 +3,7 @@ namespace Gjk.Exact.Fuzz.Concave;
 /// <summary>Random shapes of about unit size that are not convex, and convex ones to put beside them.</summary>
 internal static class RawShapes
 {
-    public static RawShape Any(FuzzRandom random) => random.Below(8) switch
+    public static RawShape Any(Rng random) => random.Below(8) switch
     {
         0 => Compound(random, 2 + random.Below(20)),
         1 => Convex(random),
@@ -12,7 +12,7 @@ internal static class RawShapes
     };
 
     /// <summary>Never convex, and no compound.</summary>
-    public static RawShape Surface(FuzzRandom random) => RawShape.Surface(random.Below(13) switch
+    public static RawShape Surface(Rng random) => RawShape.Surface(random.Below(13) switch
     {
         0 => Bumpy(random),
         1 => Surfaces.Torus(Count(random), Count(random), 1, random.Range(0.1, 0.6)),
@@ -30,7 +30,7 @@ internal static class RawShapes
     });
 
     /// <summary>Corners on a lattice, so that faces, edges and corners meet exactly.</summary>
-    public static RawShape Lattice(FuzzRandom random)
+    public static RawShape Lattice(Rng random)
     {
         const float Step = Clouds.LatticeStep;
         TriangleSoup lattice = random.Below(4) switch
@@ -45,7 +45,7 @@ internal static class RawShapes
         return random.OneIn(2) ? RawShape.Surface(lattice).AsSolid() : RawShape.Surface(lattice);
     }
 
-    public static RawShape Compound(FuzzRandom random, int parts)
+    public static RawShape Compound(Rng random, int parts)
     {
         double size = 0.5 / Math.Cbrt(parts);
         return RawShape.Compound(
@@ -55,14 +55,14 @@ internal static class RawShapes
         ]);
     }
 
-    public static RawShape Convex(FuzzRandom random)
+    public static RawShape Convex(Rng random)
     {
         RawShape shape = RawShape.Convex(Part(random, random.Magnitude(0.05, 1)));
         return random.OneIn(4) ? shape.Scaled(random.Factors(0.3, 3)) : shape;
     }
 
     /// <summary>Rows and columns of heights.</summary>
-    public static RawShape Terrain(FuzzRandom random)
+    public static RawShape Terrain(Rng random)
     {
         int columns = 2 + random.Below(7), rows = 2 + random.Below(7);
         float rough = random.OneIn(4) ? 0 : random.Float(0, 0.3);
@@ -72,7 +72,7 @@ internal static class RawShapes
     }
 
     /// <summary>The same with holes, a base and z up, each in part of them.</summary>
-    public static RawShape Heights(FuzzRandom random)
+    public static RawShape Heights(Rng random)
     {
         int columns = 2 + random.Below(5), rows = 2 + random.Below(5), oneIn = random.Of(2, 5, int.MaxValue);
         float rough = random.OneIn(3) ? 0 : random.Float(0, 0.3);
@@ -86,24 +86,24 @@ internal static class RawShapes
     }
 
     /// <summary>A solid where it can be one, scaled, or both, or as it is.</summary>
-    public static RawShape Decorated(FuzzRandom random, RawShape shape)
+    public static RawShape Decorated(Rng random, RawShape shape)
     {
         if (random.OneIn(2)) shape = shape.AsSolid();
         return random.OneIn(5) ? shape.Scaled(random.Factors(0.3, 3)) : shape;
     }
 
-    private static TriangleSoup Bumpy(FuzzRandom random)
+    private static TriangleSoup Bumpy(Rng random)
     {
         double bumps = 1 + random.Below(5), high = random.Range(0.02, 0.3);
         return Surfaces.Ball(
             Count(random), Count(random), (a, b) => 1 + high * Math.Sin(bumps * a) * Math.Sin((bumps + 1) * b));
     }
 
-    private static TriangleSoup Rock(FuzzRandom random) =>
+    private static TriangleSoup Rock(Rng random) =>
         Surfaces.Ball(Count(random), Count(random), (_, _) => random.Range(0.6, 1));
 
     /// <summary>A million times as long as wide.</summary>
-    private static TriangleSoup Slivers(FuzzRandom random)
+    private static TriangleSoup Slivers(Rng random)
     {
         float thin = (float)random.Magnitude(1e-6, 1e-3);
         Vector3 flat = random.OneIn(2) ? new Vector3(1, thin, 1) : new Vector3(1, thin, thin);
@@ -114,14 +114,14 @@ internal static class RawShapes
     }
 
     /// <summary>One triangle that is far larger than the others.</summary>
-    private static TriangleSoup Uneven(FuzzRandom random)
+    private static TriangleSoup Uneven(Rng random)
     {
         float size = (float)random.Magnitude(10, 1e6);
         return Surfaces.Soup(random, 1 + random.Below(40), random.Magnitude(0.01, 0.3)).And(
             new TriangleSoup([random.Vector(size), random.Vector(size), random.Vector(size)], [0, 1, 2]));
     }
 
-    private static RawPart Part(FuzzRandom random, double size)
+    private static RawPart Part(Rng random, double size)
     {
         float s = random.Float(0.3, 1) * (float)size, t = random.Float(0.3, 1) * (float)size;
         return random.Below(9) switch
@@ -138,5 +138,5 @@ internal static class RawShapes
         };
     }
 
-    private static int Count(FuzzRandom random) => 3 + random.Below(7);
+    private static int Count(Rng random) => 3 + random.Below(7);
 }

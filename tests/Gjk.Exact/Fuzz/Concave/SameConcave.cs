@@ -19,7 +19,7 @@ internal static class SameConcave
     {
         PairDistance r = pair.Answer;
         PartWarmStart warm = default;
-        FuzzRandom random = pair.Random(4);
+        Rng random = pair.Random(4);
         Vector3 shift = pair.Motion.B * random.Float(-0.1, 0.1);
         var before = new RigidPose(Rotations.Nudged(random, pair.PoseB.Rotation), pair.PoseB.Position + shift);
         ConcaveQuery.Distance(pair.A, pair.PoseA, pair.B, before, ref warm, pair.Scratch);
@@ -52,7 +52,7 @@ internal static class SameConcave
     public static string? Refit(ConcavePair pair)
     {
         if (pair.RawA.IsConvex || pair.RawA.IsSolid) return null;
-        FuzzRandom random = pair.Random(5);
+        Rng random = pair.Random(5);
         if (pair.RawA.Triangles is not { } triangles) return Moved(pair, AnyShape.Of(Regrouped(random, pair.RawA)));
         float size = random.Float(0, 0.5);
         TriangleSoup elsewhere = triangles.Moved(p => p + size * (p - triangles.Points[0]) * random.Float(-1, 1));
@@ -63,7 +63,7 @@ internal static class SameConcave
         return Moved(pair, AnyShape.Surface(mesh));
     }
 
-    private static CompoundShape Regrouped(FuzzRandom random, RawShape shape)
+    private static CompoundShape Regrouped(Rng random, RawShape shape)
     {
         CompoundPart[] parts = [.. shape.Parts.Select(p => new CompoundPart(p.Build(), p.Pose))];
         int grouped = 1 + random.Below(parts.Length);

@@ -9,7 +9,7 @@ internal static class ScenesOfParts
     public static string? Broken(ConcavePair pair)
     {
         if (pair.RawA.IsConvex && pair.RawB.IsConvex) return null;
-        FuzzRandom random = pair.Random(10);
+        Rng random = pair.Random(10);
         var scene = new CollisionScene(random.Of(Enum.GetValues<BroadPhaseKind>()));
         var before = new RigidPose(pair.PoseB.Rotation, pair.PoseB.Position - 0.01f * pair.Motion.B);
         scene.Add(pair.A, pair.PoseA);

@@ -4,7 +4,7 @@ namespace Gjk.Exact.Fuzz.Families;
 internal static class ContactFamilies
 {
     /// <summary>Cubes and grid polytopes that meet in faces, edges and corners.</summary>
-    public static FuzzPair Lattice(FuzzRandom random)
+    public static FuzzPair Lattice(Rng random)
     {
         FuzzShape a = OnLattice(random), b = OnLattice(random);
         Quaternion q = random.OneIn(2) ? Quaternion.Identity : Rotations.Any(random);
@@ -14,7 +14,7 @@ internal static class ContactFamilies
     }
 
     /// <summary>Boxes and prisms, face against face, whole or in part, a gap apart.</summary>
-    public static FuzzPair ParallelFaces(FuzzRandom random)
+    public static FuzzPair ParallelFaces(Rng random)
     {
         FuzzShape a = WithFaces(random), b = WithFaces(random);
         Quaternion q = Rotations.Any(random), turnB = q;
@@ -30,12 +30,12 @@ internal static class ContactFamilies
     }
 
     /// <summary>Any shapes, a gap apart along any direction, or along one across a face.</summary>
-    public static FuzzPair Touching(FuzzRandom random) =>
+    public static FuzzPair Touching(Rng random) =>
         Placement.Touching(random, Shapes.Any(random), Shapes.Any(random));
 
     /// <summary>A lies below the plane x = 0 and B above it, both in one rotation, and B's position is the gap itself:
     /// so gaps down to 1e-15 are exactly what floats can hold nowhere else.</summary>
-    public static FuzzPair AtTheOrigin(FuzzRandom random)
+    public static FuzzPair AtTheOrigin(Rng random)
     {
         FuzzShape a = Below(random, -1), b = Below(random, 1);
         Quaternion q = random.OneIn(2) ? Quaternion.Identity : Rotations.Any(random);
@@ -52,7 +52,7 @@ internal static class ContactFamilies
     }
 
     /// <summary>A shape against itself, moved and turned by next to nothing.</summary>
-    public static FuzzPair NearlyTheSame(FuzzRandom random)
+    public static FuzzPair NearlyTheSame(Rng random)
     {
         FuzzShape shape = random.OneIn(4) ? Shapes.Made(random) : Shapes.Any(random);
         Quaternion q = Rotations.Any(random), turned = random.OneIn(2) ? q : Rotations.Nudged(random, q);
@@ -62,7 +62,7 @@ internal static class ContactFamilies
     }
 
     /// <summary>Centres on each other, or nearly.</summary>
-    public static FuzzPair Concentric(FuzzRandom random)
+    public static FuzzPair Concentric(Rng random)
     {
         Double3 centers = random.Direction() * (random.OneIn(2) ? 0 : random.Magnitude(1e-15, 1e-3));
         return Placement.Between(
@@ -70,10 +70,10 @@ internal static class ContactFamilies
             Rotations.Any(random), centers);
     }
 
-    private static FuzzShape OnLattice(FuzzRandom random) =>
+    private static FuzzShape OnLattice(Rng random) =>
         random.OneIn(3) ? FuzzShape.Mesh(Clouds.Lattice(random)) : Shapes.LatticeCube(random);
 
-    private static FuzzShape WithFaces(FuzzRandom random) => random.Below(4) switch
+    private static FuzzShape WithFaces(Rng random) => random.Below(4) switch
     {
         0 => ConvexShape.Box(Vector3.Abs(random.Vector(1))),
         1 => Shapes.LatticeCube(random),
@@ -82,7 +82,7 @@ internal static class ContactFamilies
     };
 
     /// <summary>A cloud on one side of x = 0 that reaches it with one to four of its points.</summary>
-    private static FuzzShape Below(FuzzRandom random, int side)
+    private static FuzzShape Below(Rng random, int side)
     {
         Vector3[] cloud = random.Below(3) switch
         {

@@ -5,12 +5,12 @@ namespace Gjk.Exact.Fuzz.Families;
 internal static class MadeFamilies
 {
     /// <summary>At random beside each other.</summary>
-    public static FuzzPair Near(FuzzRandom random) =>
+    public static FuzzPair Near(Rng random) =>
         Placement.Near(random, Shapes.Made(random), random.OneIn(3) ? Shapes.Any(random) : Shapes.Made(random));
 
     /// <summary>Planes stand a gap apart that is small, about the shapes' size, or up to a thousand times
     /// that.</summary>
-    public static FuzzPair Apart(FuzzRandom random)
+    public static FuzzPair Apart(Rng random)
     {
         FuzzShape a = random.OneIn(2) ? Shapes.Made(random) : FuzzShape.Mesh(MadeMeshes.Baked(random));
         FuzzShape b = random.OneIn(2) ? Shapes.Made(random) : Shapes.Any(random);
@@ -21,7 +21,7 @@ internal static class MadeFamilies
 
     /// <summary>Ten to ten million sizes away from their local origin, where their last places are coarse; turned and
     /// placed so that they meet.</summary>
-    public static FuzzPair OffsetMeshes(FuzzRandom random)
+    public static FuzzPair OffsetMeshes(Rng random)
     {
         FuzzShape a = Offset(random);
         FuzzShape b = random.Below(3) switch
@@ -41,7 +41,7 @@ internal static class MadeFamilies
 
     /// <summary>Meshes that were divided by a scale and are scaled back by it: powers of two, which round nothing, or
     /// other factors.</summary>
-    public static FuzzPair Uneven(FuzzRandom random)
+    public static FuzzPair Uneven(Rng random)
     {
         FuzzShape a = Stretched(random);
         FuzzShape b = random.Below(3) switch
@@ -54,7 +54,7 @@ internal static class MadeFamilies
         return random.OneIn(2) ? Placement.Near(random, a, b) : Placement.Touching(random, a, b);
     }
 
-    private static FuzzShape Offset(FuzzRandom random)
+    private static FuzzShape Offset(Rng random)
     {
         Vector3[] cloud = random.OneIn(2)
             ? MadeMeshes.Any(random)
@@ -65,7 +65,7 @@ internal static class MadeFamilies
     }
 
     /// <summary>Divided by factors and scaled back by them.</summary>
-    public static FuzzShape Stretched(FuzzRandom random)
+    public static FuzzShape Stretched(Rng random)
     {
         bool even = random.OneIn(4), exact = !random.OneIn(3);
         float x = Factor(random, exact);
@@ -80,7 +80,7 @@ internal static class MadeFamilies
     }
 
     /// <summary>Of about unit size when it is scaled; its round sides by the factor of x alone.</summary>
-    private static ConvexShape Curved(FuzzRandom random, Vector3 factors)
+    private static ConvexShape Curved(Rng random, Vector3 factors)
     {
         float across = random.Float(0.1, 1) / Math.Max(Math.Abs(factors.X), Math.Abs(factors.Z));
         float up = random.Float(0.1, 1) / Math.Abs(factors.Y);
@@ -92,7 +92,7 @@ internal static class MadeFamilies
         };
     }
 
-    private static float Factor(FuzzRandom random, bool exact) =>
+    private static float Factor(Rng random, bool exact) =>
         random.Sign() * (
             exact ? (float)Math.ScaleB(1, random.Below(49) - 24) : (float)random.Magnitude(1.0 / (1 << 24), 1 << 24));
 }

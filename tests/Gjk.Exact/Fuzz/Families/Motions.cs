@@ -9,7 +9,7 @@ internal static class Motions
     /// <summary>The largest motion that is drawn, in world units: positions stay within floats.</summary>
     private const double Largest = 1e37;
 
-    private static readonly (string Name, int Weight, Func<FuzzRandom, FuzzPair, Double3> Draw)[] All =
+    private static readonly (string Name, int Weight, Func<Rng, FuzzPair, Double3> Draw)[] All =
     [
         ("any", 3, (r, p) => r.Direction() * (r.Range(0, 2) * Reach(p))),
         ("aimed", 5, Aimed),
@@ -22,7 +22,7 @@ internal static class Motions
     ];
 
     /// <summary>Draws how the pair moves; either shape or both do.</summary>
-    public static PairMotion Draw(FuzzRandom random, FuzzPair pair)
+    public static PairMotion Draw(Rng random, FuzzPair pair)
     {
         int weights = 0, i = 0;
         foreach ((_, int weight, _) in All) weights += weight;
@@ -44,7 +44,7 @@ internal static class Motions
     }
 
     /// <summary>From centre to centre, or past it; half of what it meets is met before the end.</summary>
-    private static Double3 Aimed(FuzzRandom random, FuzzPair pair)
+    private static Double3 Aimed(Rng random, FuzzPair pair)
     {
         Double3 aside = random.Direction() * (0.5 * pair.Scale * random.Unit());
         return (aside - pair.Centers) * random.Range(0.3, 2);
@@ -53,7 +53,7 @@ internal static class Motions
     /// <summary>So that a plane stays between the shapes, or nearly: of two directions, one with a gap and one without,
     /// the mean is found across which the gap is next to nothing. B's furthest point then goes past A's in that
     /// plane.</summary>
-    private static Double3 Grazing(FuzzRandom random, FuzzPair pair)
+    private static Double3 Grazing(Rng random, FuzzPair pair)
     {
         Double3 open = pair.Answer.Normal, closed = Placement.FaceNormal(random, pair.BodyA);
         if (open == default) return Aimed(random, pair);
@@ -76,7 +76,7 @@ internal static class Motions
     }
 
     /// <summary>Along the plane between the shapes, or along a face of A.</summary>
-    private static Double3 Sliding(FuzzRandom random, FuzzPair pair)
+    private static Double3 Sliding(Rng random, FuzzPair pair)
     {
         Double3 n = pair.Answer.Normal;
         if (n == default || random.OneIn(3)) n = Placement.FaceNormal(random, pair.BodyA);
@@ -87,7 +87,7 @@ internal static class Motions
         return along * (random.Sign() * random.Range(0.1, 3) * Reach(pair));
     }
 
-    private static Double3 Toward(FuzzRandom random, FuzzPair pair)
+    private static Double3 Toward(Rng random, FuzzPair pair)
     {
         Double3 n = random.OneIn(2) ? -(Double3)pair.Answer.Normal : -pair.Centers;
         double length = n.Length;

@@ -44,7 +44,7 @@ internal static class PairFamilies
     /// <summary>The pair of a seed and a number, with its family's name.</summary>
     public static FuzzPair Draw(ulong seed, long index, out string family)
     {
-        FuzzRandom random = FuzzRandom.ForPair(seed, index);
+        Rng random = Rng.ForPair(seed, index);
         int left = random.Below(Weights), i = 0;
         while (left >= All[i].Weight) left -= All[i++].Weight;
         family = All[i].Name;

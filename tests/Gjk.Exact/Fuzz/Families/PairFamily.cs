@@ -4,4 +4,4 @@ namespace Gjk.Exact.Fuzz.Families;
 /// <param name="Name">In a word or two.</param>
 /// <param name="Weight">How often it is drawn, beside the others' weights.</param>
 /// <param name="Make">Draws one.</param>
-internal sealed record PairFamily(string Name, int Weight, Func<FuzzRandom, FuzzPair> Make);
+internal sealed record PairFamily(string Name, int Weight, Func<Rng, FuzzPair> Make);

@@ -7,7 +7,7 @@ internal static class RangeFamilies
     private const double Largest = 1e38;
 
     /// <summary>Both of a size from 1e-40, where floats have lost most of their digits, to 1e38.</summary>
-    public static FuzzPair WholeRange(FuzzRandom random)
+    public static FuzzPair WholeRange(Rng random)
     {
         double size = random.Magnitude(1e-40, Largest);
         FuzzShape a = Sized(random, size), b = Sized(random, size * random.Magnitude(0.1, 1));
@@ -19,7 +19,7 @@ internal static class RangeFamilies
     }
 
     /// <summary>One up to a million million times the other's size, beside it, in it or touching it.</summary>
-    public static FuzzPair Ratios(FuzzRandom random)
+    public static FuzzPair Ratios(Rng random)
     {
         double ratio = random.Magnitude(1e3, 1e12), size = random.OneIn(2) ? 1 : random.Magnitude(1e-20, 1e20);
         FuzzShape a = Sized(random, size), b = Sized(random, size / ratio);
@@ -30,7 +30,7 @@ internal static class RangeFamilies
     }
 
     /// <summary>From ten to a million million sizes apart.</summary>
-    public static FuzzPair Distances(FuzzRandom random)
+    public static FuzzPair Distances(Rng random)
     {
         double far = random.Magnitude(10, 1e12), size = random.OneIn(2) ? 1 : random.Magnitude(1e-20, 1e20);
         FuzzShape a = Sized(random, size), b = Sized(random, size * random.Magnitude(1e-3, 1));
@@ -48,7 +48,7 @@ internal static class RangeFamilies
         return Placement.Between(a, poseA, b, turnB, Math.Abs(apart) < 2 * Largest ? n * apart : default);
     }
 
-    private static FuzzShape Sized(FuzzRandom random, double size)
+    private static FuzzShape Sized(Rng random, double size)
     {
         var factor = (float)size;
         return random.Below(8) switch
@@ -63,5 +63,5 @@ internal static class RangeFamilies
         };
     }
 
-    private static Vector3[] Cloud(FuzzRandom random, Vector3 half) => Clouds.InBox(random, 4 + random.Below(9), half);
+    private static Vector3[] Cloud(Rng random, Vector3 half) => Clouds.InBox(random, 4 + random.Below(9), half);
 }

@@ -8,7 +8,7 @@ internal static class RestFamilies
     /// <summary>A below a plane that it reaches, B above it, both turned by one rational rotation and B once more about
     /// the plane's normal. The plane stands at y = 0 of the turned frame, and positions are multiples of the rotation's
     /// denominator, so nothing is rounded: they touch, or stand a known gap apart.</summary>
-    public static FuzzPair Resting(FuzzRandom random)
+    public static FuzzPair Resting(Rng random)
     {
         IntegerRotation frame = Any(random), turned = random.OneIn(2) ? frame : frame.Times(AboutY(random));
         double unit = Math.ScaleB(1, -turned.Bits - random.Below(6));
@@ -27,7 +27,7 @@ internal static class RestFamilies
 
     /// <summary>Curved and flat shapes with lattice sizes at lattice places: rims on faces, axes side by side, slopes
     /// on edges.</summary>
-    public static FuzzPair CurvedLattice(FuzzRandom random)
+    public static FuzzPair CurvedLattice(Rng random)
     {
         IntegerRotation frame = random.OneIn(2) ? Identity : Any(random);
         IntegerRotation other = random.OneIn(2) ? frame : frame.Times(Any(random));
@@ -44,7 +44,7 @@ internal static class RestFamilies
 
     /// <summary>Shapes with and without margins whose planes stand a gap of a few last places of a double apart: what
     /// B's position loses by rounding is put into A's, which is 0 but for that.</summary>
-    public static FuzzPair AtTheThreshold(FuzzRandom random)
+    public static FuzzPair AtTheThreshold(Rng random)
     {
         FuzzShape a = random.OneIn(3) ? Shapes.Any(random) : Shapes.Round(random);
         FuzzShape b = random.OneIn(4) ? Shapes.Any(random) : Shapes.Round(random);
@@ -56,7 +56,7 @@ internal static class RestFamilies
 
     /// <summary>Plates, needles, stretched and made meshes whose planes across a face of A stand next to nothing
     /// apart.</summary>
-    public static FuzzPair ThinGaps(FuzzRandom random)
+    public static FuzzPair ThinGaps(Rng random)
     {
         FuzzShape a = Thin(random), b = random.OneIn(3) ? Shapes.Any(random) : Thin(random);
         Quaternion turnA = Rotations.Any(random);
@@ -65,7 +65,7 @@ internal static class RestFamilies
         return Exactly(a, turnA, b, turnB, n, random.Sign() * random.Magnitude(1e-16, 1e-12));
     }
 
-    private static FuzzShape Thin(FuzzRandom random) => random.Below(4) switch
+    private static FuzzShape Thin(Rng random) => random.Below(4) switch
     {
         0 => MadeFamilies.Stretched(random),
         1 => Shapes.Made(random),
@@ -96,7 +96,7 @@ internal static class RestFamilies
     /// <param name="side">1 above, -1 below.</param>
     /// <param name="step">What sizes are multiples of.</param>
     /// <param name="height">Where it ends towards the plane.</param>
-    private static FuzzShape Grounded(FuzzRandom random, int side, double step, out double height)
+    private static FuzzShape Grounded(Rng random, int side, double step, out double height)
     {
         float half = (float)(step * (1 + random.Below(4))), width = (float)(step * (1 + random.Below(4)));
         height = -side * half;
@@ -121,7 +121,7 @@ internal static class RestFamilies
         return Array.ConvertAll(cloud, p => p with { Y = side * (p.Y - low) });
     }
 
-    private static FuzzShape LatticeShape(FuzzRandom random, float step)
+    private static FuzzShape LatticeShape(Rng random, float step)
     {
         float across = step * 0.25f * random.Below(5), up = step * 0.25f * random.Below(5);
         return random.Below(8) switch

@@ -3,7 +3,7 @@ namespace Gjk.Exact.Fuzz.Families;
 /// <summary>Random shapes of about unit size.</summary>
 internal static class Shapes
 {
-    public static FuzzShape Any(FuzzRandom random) => random.Below(4) switch
+    public static FuzzShape Any(Rng random) => random.Below(4) switch
     {
         0 => Curved(random),
         1 => Primitive(random),
@@ -12,10 +12,10 @@ internal static class Shapes
     };
 
     /// <summary>A mesh as people and programs make it.</summary>
-    public static FuzzShape Made(FuzzRandom random) => FuzzShape.Mesh(MadeMeshes.Any(random));
+    public static FuzzShape Made(Rng random) => FuzzShape.Mesh(MadeMeshes.Any(random));
 
     /// <summary>What the exact solver can judge.</summary>
-    public static FuzzShape Polytope(FuzzRandom random) => random.Below(12) switch
+    public static FuzzShape Polytope(Rng random) => random.Below(12) switch
     {
         0 => Primitive(random),
         1 => FuzzShape.Mesh(Clouds.Prism(random)),
@@ -30,7 +30,7 @@ internal static class Shapes
     };
 
     /// <summary>With vertices, and with or without a margin.</summary>
-    public static FuzzShape Primitive(FuzzRandom random) => random.Below(7) switch
+    public static FuzzShape Primitive(Rng random) => random.Below(7) switch
     {
         0 => ConvexShape.Point(),
         1 => ConvexShape.Segment(random.Vector(1), random.Vector(1)),
@@ -42,7 +42,7 @@ internal static class Shapes
     };
 
     /// <summary>With a margin that is a float, or a product of floats.</summary>
-    public static FuzzShape Round(FuzzRandom random)
+    public static FuzzShape Round(Rng random)
     {
         ConvexShape round = random.OneIn(2)
             ? ConvexShape.Sphere(random.Float(0, 1))
@@ -50,7 +50,7 @@ internal static class Shapes
         return random.OneIn(2) ? round : round.Scaled(new Vector3(random.Sign() * random.Float(0.1, 3)));
     }
 
-    public static FuzzShape Curved(FuzzRandom random) => random.Below(6) switch
+    public static FuzzShape Curved(Rng random) => random.Below(6) switch
     {
         0 => ConvexShape.Cylinder(random.Float(0, 1), random.Float(0, 1)),
         1 => ConvexShape.Cone(random.Float(0, 1), random.Float(0, 1)),
@@ -61,7 +61,7 @@ internal static class Shapes
     };
 
     /// <summary>With unequal balls, and now and then with equal ones, or one that the other holds.</summary>
-    public static FuzzShape Tapered(FuzzRandom random)
+    public static FuzzShape Tapered(Rng random)
     {
         float top = random.Float(0, 0.7), bottom = random.OneIn(6) ? top : random.Float(0, 0.7);
         float half = random.OneIn(3) ? MathF.Abs(top - bottom) / 2 : random.Float(0, 1);
@@ -70,7 +70,7 @@ internal static class Shapes
     }
 
     /// <summary>Of about a size, without a scale.</summary>
-    public static FuzzShape Curved(FuzzRandom random, float size) => random.Below(3) switch
+    public static FuzzShape Curved(Rng random, float size) => random.Below(3) switch
     {
         0 => ConvexShape.Cylinder(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
         1 => ConvexShape.Cone(random.Float(0.1, 1) * size, random.Float(0.1, 1) * size),
@@ -78,7 +78,7 @@ internal static class Shapes
     };
 
     /// <summary>Scaled unevenly or evenly, mirrored or not.</summary>
-    public static FuzzShape Scaled(FuzzRandom random)
+    public static FuzzShape Scaled(Rng random)
     {
         Vector3 factors = random.OneIn(2)
             ? random.Factors(0.1, 10)
@@ -93,7 +93,7 @@ internal static class Shapes
     }
 
     /// <summary>Flat, straight, or a single point.</summary>
-    public static FuzzShape Degenerate(FuzzRandom random) => random.Below(5) switch
+    public static FuzzShape Degenerate(Rng random) => random.Below(5) switch
     {
         0 => FuzzShape.Mesh(Clouds.Flat(random)),
         1 => FuzzShape.Mesh(Clouds.Straight(random)),
@@ -103,7 +103,7 @@ internal static class Shapes
     };
 
     /// <summary>Long and thin, or wide and thin, 1:1000 up to 1:1000000.</summary>
-    public static FuzzShape Needle(FuzzRandom random)
+    public static FuzzShape Needle(Rng random)
     {
         float thin = (float)random.Magnitude(1e-6, 1e-3);
         Vector3 size = random.OneIn(2) ? new Vector3(1, thin, thin) : new Vector3(1, thin, 1);
@@ -115,7 +115,7 @@ internal static class Shapes
         };
     }
 
-    public static FuzzShape LatticeCube(FuzzRandom random)
+    public static FuzzShape LatticeCube(Rng random)
     {
         float half = Clouds.LatticeStep * (1 + random.Below(6));
         return random.OneIn(2) ? ConvexShape.Box(new Vector3(half)) : FuzzShape.Mesh(Clouds.Box(new Vector3(half)));

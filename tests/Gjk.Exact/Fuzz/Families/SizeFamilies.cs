@@ -5,7 +5,7 @@ namespace Gjk.Exact.Fuzz.Families;
 internal static class SizeFamilies
 {
     /// <summary>One shape up to a million times larger than the other, in contact or nearly.</summary>
-    public static FuzzPair SizesApart(FuzzRandom random)
+    public static FuzzPair SizesApart(Rng random)
     {
         FuzzShape a = Shapes.Polytope(random), b = Polytope(random, (float)random.Magnitude(1e-6, 1e-1));
         if (random.OneIn(2)) (a, b) = (b, a);
@@ -15,7 +15,7 @@ internal static class SizeFamilies
     }
 
     /// <summary>Both of a size from 1e-15 to 1e15.</summary>
-    public static FuzzPair TinyAndHuge(FuzzRandom random)
+    public static FuzzPair TinyAndHuge(Rng random)
     {
         float size = (float)random.Magnitude(1e-15, 1e15);
         FuzzShape a = Polytope(random, size);
@@ -28,7 +28,7 @@ internal static class SizeFamilies
     }
 
     /// <summary>Up to 1e5 from the origin, near each other.</summary>
-    public static FuzzPair FarAway(FuzzRandom random)
+    public static FuzzPair FarAway(Rng random)
     {
         FuzzShape a = Shapes.Any(random), b = Shapes.Any(random);
         var poseA = new RigidPose(Rotations.Any(random), (Vector3)(random.Direction() * random.Magnitude(1e3, 1e5)));
@@ -39,7 +39,7 @@ internal static class SizeFamilies
     }
 
     /// <summary>Meshes of size 1 whose own origin is up to 1e4 away, in places that bring them together.</summary>
-    public static FuzzPair OffsetMeshes(FuzzRandom random)
+    public static FuzzPair OffsetMeshes(Rng random)
     {
         FuzzShape a = Offset(random), b = random.OneIn(2) ? Offset(random) : Shapes.Polytope(random);
         var poseA = new RigidPose(Rotations.Any(random), random.OneIn(2) ? Vector3.Zero : random.Vector(100));
@@ -48,7 +48,7 @@ internal static class SizeFamilies
 
     /// <summary>Hulls of 100 to 4096 corners, deep, near tangent and apart, against each other and against small
     /// shapes.</summary>
-    public static FuzzPair LargeHulls(FuzzRandom random)
+    public static FuzzPair LargeHulls(Rng random)
     {
         FuzzShape a = Large(random), b = random.OneIn(2) ? Large(random) : Shapes.Any(random);
         var poseA = new RigidPose(Rotations.Any(random), random.Vector(1));
@@ -57,7 +57,7 @@ internal static class SizeFamilies
             random.OneIn(3) ? -random.Unit() : Placement.AnyGap(random));
     }
 
-    private static FuzzShape Large(FuzzRandom random)
+    private static FuzzShape Large(Rng random)
     {
         int corners = random.OneIn(8) ? random.Of(2048, 4096) : random.Of(100, 128, 515, 1024);
         Vector3[] cloud = Clouds.OnSphere(random, corners);
@@ -65,7 +65,7 @@ internal static class SizeFamilies
         return random.OneIn(2) ? sphere : sphere.Scaled(random.Factors(0.3, 2));
     }
 
-    private static FuzzShape Offset(FuzzRandom random)
+    private static FuzzShape Offset(Rng random)
     {
         Vector3 offset = (Vector3)(random.Direction() * random.Magnitude(1, 1e4));
         Vector3[] cloud = random.OneIn(2)
@@ -74,7 +74,7 @@ internal static class SizeFamilies
         return FuzzShape.Mesh(Clouds.Placed(cloud, 1, offset));
     }
 
-    private static FuzzShape Polytope(FuzzRandom random, float size) => random.Below(5) switch
+    private static FuzzShape Polytope(Rng random, float size) => random.Below(5) switch
     {
         0 => ConvexShape.Box(Vector3.Abs(random.Vector(1)) * size),
         1 => ConvexShape.Sphere(random.Float(0.1, 1) * size),

@@ -6,7 +6,7 @@ namespace Gjk.Exact.Fuzz.HalfSpaces;
 /// touch.</summary>
 internal static class HalfSpaceFamilies
 {
-    private static readonly (string Name, Func<FuzzRandom, FuzzShape> Make)[] s_all =
+    private static readonly (string Name, Func<Rng, FuzzShape> Make)[] s_all =
     [
         ("half-space and anything", Shapes.Any), ("half-space and polytopes", Shapes.Polytope),
         ("half-space and made meshes", Shapes.Made), ("half-space and curved", Shapes.Curved),
@@ -19,8 +19,8 @@ internal static class HalfSpaceFamilies
     /// <summary>The pair of a seed and a number, with its family's name.</summary>
     public static HalfSpacePair Draw(ulong seed, long index, out string family)
     {
-        FuzzRandom random = FuzzRandom.ForPair(seed ^ 0x48414C46, index);
-        (family, Func<FuzzRandom, FuzzShape> make) = random.Of(s_all);
+        Rng random = Rng.ForPair(seed ^ 0x48414C46, index);
+        (family, Func<Rng, FuzzShape> make) = random.Of(s_all);
         FuzzShape other = make(random);
         double size = random.OneIn(4) && other.Scale == Vector3.One ? random.Magnitude(1e-15, 1e15) : 1;
         if (size != 1) other = other.Scaled(new Vector3((float)size));
@@ -40,7 +40,7 @@ internal static class HalfSpaceFamilies
 
     /// <summary>Scaled, widened or placed, or none of it. What comes out is a plane of its own, whose record has its
     /// normal and offset in double, from which the true gap is taken.</summary>
-    private static ConvexShape Decorated(FuzzRandom random, ConvexShape plane, double size)
+    private static ConvexShape Decorated(Rng random, ConvexShape plane, double size)
     {
         if (random.OneIn(4))
             plane = plane.Scaled(
@@ -51,7 +51,7 @@ internal static class HalfSpaceFamilies
 
     /// <summary>Any motion, one along the plane or nearly, or one straight at it; either of the two moves, or
     /// both.</summary>
-    private static PairMotion Motion(FuzzRandom random, in Double3 outward, double size)
+    private static PairMotion Motion(Rng random, in Double3 outward, double size)
     {
         Double3 any = random.Direction() * (size * random.Magnitude(1e-3, 1e3));
         Double3 along = any - outward * Double3.Dot(any, outward);

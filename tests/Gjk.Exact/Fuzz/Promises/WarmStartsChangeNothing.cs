@@ -75,7 +75,7 @@ internal static class WarmStartsChangeNothing
     private static WarmStart[] MakeBytePatterns()
     {
         int[] words = [-1, 1, 4, 0x00000007, 0x7F800000, 0x7FC00000, 0x7F7FFFFF];
-        var random = new FuzzRandom(3);
+        var random = new Rng(3);
         var patterns = new WarmStart[words.Length + 3];
         for (int i = 0; i < patterns.Length; i++)
         {
@@ -92,7 +92,7 @@ internal static class WarmStartsChangeNothing
 
     private static WarmStart[] RememberOthers()
     {
-        var random = new FuzzRandom(2);
+        var random = new Rng(2);
         var cloud = new Vector3[40];
         for (int i = 0; i < cloud.Length; i++) cloud[i] = random.Vector(1);
         ConvexShape[] shapes =
@@ -105,7 +105,7 @@ internal static class WarmStartsChangeNothing
         for (int i = 0; i < memories.Length; i++)
         {
             var pose = new RigidPose(
-                Rotations.Even(random), i % 2 == 0 ? new Vector3(0.1f, 0.2f, -0.1f) : new Vector3(4, 1, -2));
+                random.Rotation(), i % 2 == 0 ? new Vector3(0.1f, 0.2f, -0.1f) : new Vector3(4, 1, -2));
             ConvexQuery.Distance(
                 shapes[i / 2], RigidPose.Identity, shapes[(i / 2 + i % 2) % shapes.Length], pose, ref memories[i]);
         }
