@@ -104,8 +104,7 @@ public class FlatGroundTests
     private static (AnyShape Shape, Vector3[] Points) Body(string name, int sides)
     {
         var half = new Vector3(0.3f, 0.2f, 0.25f);
-        Vector3[] corners = [.. Enumerable.Range(0, 8).Select(i => half * new Vector3(
-            (i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1))];
+        Vector3[] corners = Clouds.Box(half);
         if (name == "box") return (AnyShape.Of(ConvexShape.Box(half)), corners);
         if (name == "flush boxes")
         {

@@ -52,7 +52,7 @@ internal static class Floors
             indices.AddRange([a, b, c, .. again(a, b, c)]);
         }
 
-        return new TriangleMesh(Vertices(plate), indices);
+        return new TriangleMesh(Solids.Vertices(plate), indices);
     }
 
     /// <summary>Rows of rectangles along x, each row shifted against the one before: corners lie on edges of both
@@ -106,25 +106,7 @@ internal static class Floors
     }
 
     /// <summary>Two closed boxes side by side in one mesh, with the wall between them there once each way.</summary>
-    private static TriangleMesh Joined()
-    {
-        TriangleMesh box = ConcaveShapes.Box(new Vector3(0.75f, 0.5f, 1.5f));
-        var points = new List<Vector3>();
-        var indices = new List<int>();
-        foreach (float x in new[] { 0.75f, 2.25f })
-        {
-            for (int i = 0; i < box.TriangleCount; i++)
-            {
-                box.GetTriangle(i, out int a, out int b, out int c);
-                indices.AddRange([points.Count + a, points.Count + b, points.Count + c]);
-            }
-
-            foreach (Vector3 corner in Vertices(box)) points.Add(corner + new Vector3(x, -0.5f, 1.5f));
-        }
-
-        return new TriangleMesh(points, indices);
-    }
-
-    private static Vector3[] Vertices(TriangleMesh mesh) =>
-        [.. Enumerable.Range(0, mesh.VertexCount).Select(mesh.GetVertex)];
+    private static TriangleMesh Joined() => Solids.Joined(
+        (ConcaveShapes.Box(new Vector3(0.75f, 0.5f, 1.5f)), new Vector3(0.75f, -0.5f, 1.5f)),
+        (ConcaveShapes.Box(new Vector3(0.75f, 0.5f, 1.5f)), new Vector3(2.25f, -0.5f, 1.5f)));
 }

@@ -184,23 +184,12 @@ public class RayCrossingTests
             "box" => box,
             "hollow" => Solids.Joined((box, default), (Solids.Flipped(Solids.Scaled(box, 0.5f)), default)),
             _ => new TriangleMesh(
-                [.. Vertices(Solids.Named(name, seed)).Select(OnLattice)], Indices(Solids.Named(name, seed))),
+                [.. Solids.Vertices(Solids.Named(name, seed)).Select(OnLattice)], Solids.Indices(Solids.Named(name, seed))),
         };
     }
 
     private static Vector3 OnLattice(Vector3 v) =>
         new(MathF.Round(v.X * 1024) / 1024, MathF.Round(v.Y * 1024) / 1024, MathF.Round(v.Z * 1024) / 1024);
-
-    private static Vector3[] Vertices(TriangleMesh mesh) =>
-        [.. Enumerable.Range(0, mesh.VertexCount).Select(mesh.GetVertex)];
-
-    private static int[] Indices(TriangleMesh mesh)
-    {
-        var indices = new int[3 * mesh.TriangleCount];
-        for (int i = 0; i < indices.Length; i += 3)
-            mesh.GetTriangle(i / 3, out indices[i], out indices[i + 1], out indices[i + 2]);
-        return indices;
-    }
 
     /// <summary>A corner, a place on an edge, or one in a triangle.</summary>
     private static Vector3 Aim(TriangleMesh mesh, Rng random)

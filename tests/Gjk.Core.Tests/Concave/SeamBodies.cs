@@ -9,7 +9,7 @@ internal static class SeamBodies
         "box" => ConvexShape.Box(new Vector3(0.5f, 0.2f, 0.3f)),
         "capsule" => ConvexShape.Capsule(0.2f, 0.6f).Placed(
             new RigidPose(Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2), Vector3.Zero)),
-        _ => ConvexShape.Mesh([.. Prism(7, 0.5f, 0.2f)]),
+        _ => ConvexShape.Mesh(Clouds.Prism(7, 0.5f, 0.2f)),
     });
 
     /// <summary>A plate of cells of unit size, each cut in two along either diagonal.</summary>
@@ -43,14 +43,5 @@ internal static class SeamBodies
         var high = new RigidPose(own, over + new Vector3(0, 3, 0));
         float gap = ConvexQuery.Distance(half.Convex, new RigidPose(-Vector3.UnitY), body.Convex, high).Distance;
         return new RigidPose(own, over + new Vector3(0, 3 - gap + height, 0));
-    }
-
-    private static IEnumerable<Vector3> Prism(int sides, float radius, float half)
-    {
-        for (int i = 0; i < 2 * sides; i++)
-        {
-            (float sin, float cos) = MathF.SinCos(MathF.Tau * (i / 2) / sides);
-            yield return new Vector3(radius * cos, i % 2 == 0 ? half : -half, radius * sin);
-        }
     }
 }

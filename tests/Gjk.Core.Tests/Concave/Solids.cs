@@ -42,7 +42,7 @@ internal static class Solids
     }
 
     public static TriangleMesh Scaled(TriangleMesh mesh, float factor) =>
-        new([.. Vertices(mesh).Select(v => factor * v)], Indices(mesh, false));
+        new([.. Vertices(mesh).Select(v => factor * v)], Indices(mesh));
 
     public static TriangleMesh Flipped(TriangleMesh mesh) => new(Vertices(mesh), Indices(mesh, true));
 
@@ -52,7 +52,7 @@ internal static class Solids
         var indices = new List<int>();
         foreach ((TriangleMesh mesh, Vector3 at) in pieces)
         {
-            indices.AddRange(Indices(mesh, false).Select(i => points.Count + i));
+            indices.AddRange(Indices(mesh).Select(i => points.Count + i));
             points.AddRange(Vertices(mesh).Select(v => v + at));
         }
 
@@ -121,10 +121,10 @@ internal static class Solids
         return new TriangleMesh(points, indices);
     }
 
-    private static Vector3[] Vertices(TriangleMesh mesh) =>
+    public static Vector3[] Vertices(TriangleMesh mesh) =>
         [.. Enumerable.Range(0, mesh.VertexCount).Select(mesh.GetVertex)];
 
-    private static List<int> Indices(TriangleMesh mesh, bool isFlipped)
+    public static List<int> Indices(TriangleMesh mesh, bool isFlipped = false)
     {
         var indices = new List<int>();
         for (int i = 0; i < mesh.TriangleCount; i++)

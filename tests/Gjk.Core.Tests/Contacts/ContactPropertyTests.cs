@@ -45,7 +45,7 @@ public class ContactPropertyTests
         ConvexShape shape = name switch
         {
             "box" => ConvexShape.Box(new Vector3(0.5f)),
-            "prism" => ConvexShape.Mesh(Prism(64)),
+            "prism" => ConvexShape.Mesh(Clouds.Prism(64, 1, 0.5f)),
             "cylinder" => ConvexShape.Cylinder(1, 0.5f),
             _ => ConvexShape.Capsule(0.5f, 1),
         };
@@ -93,16 +93,6 @@ public class ContactPropertyTests
         m.Clear();
         Assert.Equal((0, Vector3.Zero), (m.Count, m.Normal));
     }
-
-    /// <summary>Of unit radius and height, corners by sine and cosine in float.</summary>
-    private static Vector3[] Prism(int sides) =>
-    [
-        .. Enumerable.Range(0, 2 * sides).Select(i =>
-        {
-            float angle = i / 2 * (2 * MathF.PI / sides);
-            return new Vector3(MathF.Cos(angle), i % 2 == 0 ? 0.5f : -0.5f, MathF.Sin(angle));
-        }),
-    ];
 
     private static IEnumerable<ManifoldPoint> Points(ContactManifold m) =>
         Enumerable.Range(0, m.Count).Select(i => m[i]);

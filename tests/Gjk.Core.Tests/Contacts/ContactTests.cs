@@ -175,9 +175,9 @@ public class ContactTests
     private static ConvexShape Cube(string name) => name switch
     {
         "box" => ConvexShape.Box(new Vector3(0.5f)),
-        "mesh" => ConvexShape.Mesh(Corners(0.5f)),
+        "mesh" => ConvexShape.Mesh(Clouds.Box(new Vector3(0.5f))),
         "scaled" => ConvexShape.Box(new Vector3(0.25f, 1, 2)).Scaled(new Vector3(-2, 0.5f, 0.25f)),
-        "scaledMesh" => ConvexShape.Mesh(Corners(1)).Scaled(new Vector3(0.5f, -0.5f, 0.5f)),
+        "scaledMesh" => ConvexShape.Mesh(Clouds.Box(new Vector3(1))).Scaled(new Vector3(0.5f, -0.5f, 0.5f)),
         "placed" => ConvexShape.Box(new Vector3(0.5f)).Placed(new RigidPose(OnItsSide, default)),
         _ => ConvexShape.Box(new Vector3(0.375f)).Rounded(0.125f),
     };
@@ -186,10 +186,4 @@ public class ContactTests
 
     /// <summary>Half the side of a cube's face, without what is round.</summary>
     private static float FlatHalf(string name) => 0.5f - Margin(name);
-
-    private static Vector3[] Corners(float half) =>
-    [
-        .. Enumerable.Range(0, 8).Select(
-            i => new Vector3((i & 1) == 0 ? half : -half, (i & 2) == 0 ? half : -half, (i & 4) == 0 ? half : -half)),
-    ];
 }

@@ -86,7 +86,7 @@ public class NameTests
         int count = 0;
         for (int i = 0; i < 1200; i++)
         {
-            var hull = new ConvexHull(Prism(5 + rng.Below(6)));
+            var hull = new ConvexHull(Clouds.Prism(5 + rng.Below(6), 0.5f, 0.5f));
             float tilt = MathF.Pow(10, rng.Float(-6, -2)), angle = rng.Float(0, 6.3);
             var axis = new Vector3(MathF.Cos(angle), 0, MathF.Sin(angle));
             Quaternion yaw = Quaternion.CreateFromAxisAngle(Vector3.UnitY, rng.Float(0, 6.3));
@@ -190,15 +190,6 @@ public class NameTests
         "rounded" => ConvexShape.Box(new Vector3(0.4f)).Rounded(0.1f),
         "cylinder" => ConvexShape.Cylinder(0.5f, 0.5f),
         "cone" => ConvexShape.Cone(0.5f, 0.5f),
-        _ => ConvexShape.Mesh(Prism(int.Parse(name["prism".Length..]))),
+        _ => ConvexShape.Mesh(Clouds.Prism(int.Parse(name["prism".Length..]), 0.5f, 0.5f)),
     };
-
-    private static Vector3[] Prism(int sides) =>
-    [
-        .. Enumerable.Range(0, 2 * sides).Select(i =>
-        {
-            float angle = i / 2 * (2 * MathF.PI / sides);
-            return new Vector3(MathF.Cos(angle), i % 2 == 0 ? 1 : -1, MathF.Sin(angle)) / 2;
-        }),
-    ];
 }

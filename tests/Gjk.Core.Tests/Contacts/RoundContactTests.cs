@@ -157,13 +157,7 @@ public class RoundContactTests
     }
 
     /// <summary>A prism of unit radius and half height, its axis turned in float.</summary>
-    private static Vector3[] Prism(int sides, float size) =>
-    [
-        .. Enumerable.Range(0, 2 * sides).Select(i =>
-        {
-            float angle = i / 2 * (2 * MathF.PI / sides);
-            var p = new Vector3(MathF.Cos(angle), i % 2 == 0 ? 1 : -1, MathF.Sin(angle));
-            return Vector3.Transform(p * size, Quaternion.CreateFromAxisAngle(Vector3.UnitZ, 1));
-        }),
-    ];
+    private static Vector3[] Prism(int sides, float size) => Array.ConvertAll(
+        Clouds.Prism(sides, size, size),
+        p => Vector3.Transform(p, Quaternion.CreateFromAxisAngle(Vector3.UnitZ, 1)));
 }

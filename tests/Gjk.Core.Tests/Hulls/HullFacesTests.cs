@@ -13,15 +13,8 @@ public class HullFacesTests
     {
         var rotation = Quaternion.CreateFromYawPitchRoll(0.4f, 1.1f, -0.3f);
         var axis = (Double3)Vector3.Transform(Vector3.UnitY, rotation);
-        var hull = new ConvexHull(
-        [
-            .. Enumerable.Range(0, 2 * sides).Select(i =>
-            {
-                float angle = i / 2 * (2 * MathF.PI / sides);
-                var p = new Vector3(MathF.Cos(angle), i % 2 == 0 ? 1 : -1, MathF.Sin(angle));
-                return Vector3.Transform(p, rotation) + new Vector3(offset);
-            }),
-        ]);
+        var hull = new ConvexHull(Array.ConvertAll(
+            Clouds.Prism(sides, 1, 1), p => Vector3.Transform(p, rotation) + new Vector3(offset)));
         Assert.Equal(Math.Min(sides, FaceCorners.Capacity), Show(hull, axis).Distinct().Count());
         Assert.Equal(Math.Min(sides, FaceCorners.Capacity), Show(hull, -axis).Distinct().Count());
         if (sides <= 64) Assert.Equal(sides + 2, hull.Faces.Count);
@@ -34,7 +27,7 @@ public class HullFacesTests
     public void BothSidesOfAPlateAreFaces(float thickness)
     {
         var half = new Vector3(1, thickness, 1);
-        var hull = new ConvexHull(Corners(half));
+        var hull = new ConvexHull(Clouds.Box(half));
         Assert.Equal(6, hull.Faces.Count);
         Assert.Equal(4, Show(hull, new Double3(0, 1, 0)).Count);
         Assert.Empty(Show(hull, new Double3(0, 1, 0)).Intersect(Show(hull, new Double3(0, -1, 0))));
@@ -43,9 +36,9 @@ public class HullFacesTests
     [Fact]
     public void ARoofOfAThousandthHasTwoFaces()
     {
-        var hull = new ConvexHull([.. Corners(Vector3.One), new(-1, 1.001f, 0), new(1, 1.001f, 0)]);
+        var hull = new ConvexHull([.. Clouds.Box(Vector3.One), new(-1, 1.001f, 0), new(1, 1.001f, 0)]);
         Assert.Equal(7, hull.Faces.Count);
-        hull = new ConvexHull([.. Corners(Vector3.One), new(-1, 1.0000005f, 0), new(1, 1.0000005f, 0)]);
+        hull = new ConvexHull([.. Clouds.Box(Vector3.One), new(-1, 1.0000005f, 0), new(1, 1.0000005f, 0)]);
         Assert.Equal(6, hull.Faces.Count);
         Assert.Equal(4, Show(hull, new Double3(0, 1, 0)).Count);
     }
@@ -91,12 +84,6 @@ public class HullFacesTests
             }
         }
     }
-
-    private static Vector3[] Corners(Vector3 half) =>
-    [
-        .. Enumerable.Range(0, 8).Select(
-            i => half * new Vector3((i & 1) == 0 ? 1 : -1, (i & 2) == 0 ? 1 : -1, (i & 4) == 0 ? 1 : -1)),
-    ];
 
     private static unsafe List<int> Show(ConvexHull hull, Double3 direction)
     {

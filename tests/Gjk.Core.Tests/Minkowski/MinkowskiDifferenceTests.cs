@@ -12,8 +12,8 @@ public class MinkowskiDifferenceTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(100); seed++)
         {
             var rng = new Rng(seed);
-            TestShape a = TestShape.Mesh(Generators.Cloud(rng, 10, Vector3.One));
-            TestShape b = TestShape.Mesh(Generators.Cloud(rng, 10, Vector3.One));
+            TestShape a = TestShape.Mesh(Clouds.InBox(rng, 10, Vector3.One));
+            TestShape b = TestShape.Mesh(Clouds.InBox(rng, 10, Vector3.One));
             RigidPose poseB = Generators.Pose(rng, rng.Vector(-3, 3));
             var problem = new ExactProblem(a.Vertices!, 0, RigidPose.Identity, b.Vertices!, 0, poseB);
             ConvexShape shapeA = a.Shape, shapeB = b.Shape;

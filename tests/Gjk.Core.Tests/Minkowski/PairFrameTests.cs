@@ -221,7 +221,7 @@ public class PairFrameTests
     private static Posed Any(Rng rng, Vector3 place, double offset)
     {
         Vector3 middle = rng.UnitVector() * (float)offset;
-        Vector3[] cloud = Generators.Cloud(rng, 8, Vector3.One);
+        Vector3[] cloud = Clouds.InBox(rng, 8, Vector3.One);
         var shape = ConvexShape.Mesh([.. cloud.Select(p => p + middle)]);
         return new Posed(shape, new RigidPose(rng.Rotation(), place + rng.Vector(-3, 3)));
     }

@@ -172,10 +172,10 @@ public class CastPortalTests
     private static TestShape Shape(Rng rng, string kind) => kind switch
     {
         "box" => TestShape.Box(new Vector3(rng.Float(0.2, 2), rng.Float(0.2, 2), rng.Float(0.2, 2))),
-        "needle" => TestShape.Mesh(Generators.Cloud(rng, 6, new Vector3(1e-3f, 2, 1e-3f))),
+        "needle" => TestShape.Mesh(Clouds.InBox(rng, 6, new Vector3(1e-3f, 2, 1e-3f))),
         "plate" => TestShape.Box(new Vector3(2, 1e-3f, rng.Float(0.5, 2))),
-        "mini" => TestShape.Mesh(Generators.Cloud(rng, 5, new Vector3(1e-3f))),
-        "big" => TestShape.Mesh(Generators.Cloud(rng, 8, new Vector3(4))),
-        _ => TestShape.Mesh(Generators.Cloud(rng, 7, Vector3.One)),
+        "mini" => TestShape.Mesh(Clouds.InBox(rng, 5, new Vector3(1e-3f))),
+        "big" => TestShape.Mesh(Clouds.InBox(rng, 8, new Vector3(4))),
+        _ => TestShape.Mesh(Clouds.InBox(rng, 7, Vector3.One)),
     };
 }

@@ -113,12 +113,7 @@ public class HullDepthTests
     [InlineData(256)]
     public void APinInAHoleOfManySides(int sides)
     {
-        Vector3[] corners =
-        [
-            .. from i in Enumerable.Range(0, sides)
-               from y in new[] { -1f, 1f }
-               select new Vector3(MathF.Cos(2 * MathF.PI * i / sides), y, MathF.Sin(2 * MathF.PI * i / sides))
-        ];
+        Vector3[] corners = Clouds.Prism(sides, 1, 1);
         for (ulong seed = 0; seed < (ulong)Budget.Count(8); seed++)
         {
             var rng = new Rng(74_000 + seed);

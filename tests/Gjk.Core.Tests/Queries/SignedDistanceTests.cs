@@ -58,7 +58,7 @@ public class SignedDistanceTests
             var rng = new Rng(74_000 + seed);
             Vector3 half = rng.Vector(0.1, 1);
             RigidPose poseA = Generators.Pose(rng, rng.Vector(-1, 1)), poseB = Generators.Pose(rng, rng.Vector(-1, 1));
-            var hull = new ConvexHull(Generators.Cloud(rng, 12, Vector3.One));
+            var hull = new ConvexHull(Clouds.InBox(rng, 12, Vector3.One));
             Same(new BoxShape(half), ConvexShape.Box(half), new ConvexMesh(hull), ConvexShape.Mesh(hull));
             Same(new CapsuleShape(1, 0.5f), ConvexShape.Capsule(1, 0.5f), new BoxShape(half), ConvexShape.Box(half));
             Same(new SphereShape(0.7f), ConvexShape.Sphere(0.7f), new ConvexMesh(hull), ConvexShape.Mesh(hull));

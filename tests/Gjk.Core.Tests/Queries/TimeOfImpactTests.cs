@@ -129,9 +129,7 @@ public class TimeOfImpactTests
     public void AWheelPassesAFloor(float gap)
     {
         TestShape floor = TestShape.Box(new Vector3(10, 1, 10)), wheel = TestShape.Cylinder(1, 0.3f);
-        var prism = TestShape.Mesh(
-            [.. Enumerable.Range(0, 128).Select(i => new Vector3(
-                MathF.Cos(i / 2 * MathF.PI / 32), (i & 1) - 0.5f, MathF.Sin(i / 2 * MathF.PI / 32)))]);
+        TestShape prism = TestShape.Mesh(Clouds.Prism(64, 1, 0.5f));
         foreach (TestShape s in new[] { wheel, prism, TestShape.Ellipsoid(new Vector3(1, 0.4f, 1)) })
         {
             var upright = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);

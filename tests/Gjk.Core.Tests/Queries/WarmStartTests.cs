@@ -41,7 +41,7 @@ public class WarmStartTests
     [Fact]
     public void ASignedDistanceBeginsWhereItEnded()
     {
-        ConvexShape hull = ConvexShape.Mesh(Generators.Cloud(new Rng(1), 200, Vector3.One)).Rounded(0.1f);
+        ConvexShape hull = ConvexShape.Mesh(Clouds.InBox(new Rng(1), 200, Vector3.One)).Rounded(0.1f);
         var pose = new RigidPose(new(0.1f, 0.7f, -0.3f, 0.6403124f), new Vector3(1.5f, -2.1f, 1.3f));
         WarmStart warm = default;
         DistanceResult first = ConvexQuery.SignedDistance(hull, RigidPose.Identity, hull, pose, ref warm);

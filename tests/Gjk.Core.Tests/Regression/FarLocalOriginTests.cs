@@ -38,6 +38,6 @@ public class FarLocalOriginTests
     {
         "segment" => TestShape.Segment(away + rng.Vector(-2, 2), away + rng.Vector(-2, 2)),
         "triangle" => TestShape.Triangle(away + rng.Vector(-2, 2), away + rng.Vector(-2, 2), away + rng.Vector(-2, 2)),
-        _ => TestShape.Mesh(System.Array.ConvertAll(Generators.Cloud(rng, 10, new Vector3(2)), p => away + p)),
+        _ => TestShape.Mesh(System.Array.ConvertAll(Clouds.InBox(rng, 10, new Vector3(2)), p => away + p)),
     };
 }

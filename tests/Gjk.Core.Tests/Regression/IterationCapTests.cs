@@ -44,8 +44,8 @@ public class IterationCapTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(300); seed++)
         {
             var rng = new Rng(seed);
-            TestShape needle = TestShape.Mesh(Generators.Cloud(rng, 4 + rng.Below(9), new Vector3(1, thin, thin)));
-            TestShape other = seed % 2 == 0 ? needle : TestShape.Mesh(Generators.Cloud(rng, 12, Vector3.One));
+            TestShape needle = TestShape.Mesh(Clouds.InBox(rng, 4 + rng.Below(9), new Vector3(1, thin, thin)));
+            TestShape other = seed % 2 == 0 ? needle : TestShape.Mesh(Clouds.InBox(rng, 12, Vector3.One));
             var pair = new TestPair(
                 $"seed {seed}", needle, Generators.Pose(rng, default), other,
                 Generators.Pose(rng, rng.Vector(-0.5, 0.5)));

@@ -32,6 +32,6 @@ public class OffsetMeshTests
     private static TestShape Mesh(Rng rng, double offset)
     {
         Vector3 away = rng.UnitVector() * (float)offset;
-        return TestShape.Mesh([.. Generators.Cloud(rng, 8, new Vector3(0.5f)).Select(p => p + away)]);
+        return TestShape.Mesh([.. Clouds.InBox(rng, 8, new Vector3(0.5f)).Select(p => p + away)]);
     }
 }

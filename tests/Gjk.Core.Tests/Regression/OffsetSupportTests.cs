@@ -14,7 +14,7 @@ public class OffsetSupportTests
         {
             var rng = new Rng(seed);
             Vector3 away = (float)offset * new Vector3(rng.Float(0.5, 1), -rng.Float(0.5, 1), rng.Float(0.5, 1));
-            Vector3[] near = Generators.Cloud(rng, rng.Below(2) == 0 ? 10 : 60, new Vector3(4));
+            Vector3[] near = Clouds.InBox(rng, rng.Below(2) == 0 ? 10 : 60, new Vector3(4));
             Vector3[] cloud = Array.ConvertAll(near, p => p + away);
             var hull = new ConvexHull(cloud);
             for (int i = 0; i < 100; i++)

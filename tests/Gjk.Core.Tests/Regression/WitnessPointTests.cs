@@ -15,8 +15,8 @@ public class WitnessPointTests
         for (ulong seed = 0; seed < (ulong)count; seed++)
         {
             var rng = new Rng(320_000 + seed);
-            TestShape large = TestShape.Mesh(Generators.Cloud(rng, 8, new Vector3(ratio)));
-            TestShape small = TestShape.Mesh(Generators.Cloud(rng, 8, Vector3.One));
+            TestShape large = TestShape.Mesh(Clouds.InBox(rng, 8, new Vector3(ratio)));
+            TestShape small = TestShape.Mesh(Clouds.InBox(rng, 8, Vector3.One));
             RigidPose pose = Generators.Pose(rng, rng.UnitVector() * rng.Float(0.2, 1.5) * ratio);
             var pair = new TestPair(
                 $"seed {seed}, ratio {ratio}", large, Generators.Pose(rng, rng.Vector(-1, 1)), small, pose);

@@ -37,11 +37,11 @@ internal static class Generators
         "cone" => TestShape.Cone(rng.Float(0.1, 1), rng.Float(0.1, 1)),
         "ellipsoid" => TestShape.Ellipsoid(rng.Vector(0.2, 1)),
         "taperedCapsule" => Tapered(rng),
-        "hull" => TestShape.Mesh(Cloud(rng, 4 + rng.Below(13), Vector3.One)),
-        "bigHull" => TestShape.Mesh(Cloud(rng, 32 + rng.Below(33), Vector3.One)),
-        "flat" => TestShape.Mesh(Cloud(rng, 3 + rng.Below(8), new Vector3(1, 0, 1))),
-        "needle" => TestShape.Mesh(Cloud(rng, 4 + rng.Below(9), new Vector3(1, 1e-3f, 1e-3f))),
-        "plate" => TestShape.Mesh(Cloud(rng, 4 + rng.Below(9), new Vector3(1, 1e-3f, 1))),
+        "hull" => TestShape.Mesh(Clouds.InBox(rng, 4 + rng.Below(13), Vector3.One)),
+        "bigHull" => TestShape.Mesh(Clouds.InBox(rng, 32 + rng.Below(33), Vector3.One)),
+        "flat" => TestShape.Mesh(Clouds.InBox(rng, 3 + rng.Below(8), new Vector3(1, 0, 1))),
+        "needle" => TestShape.Mesh(Clouds.InBox(rng, 4 + rng.Below(9), new Vector3(1, 1e-3f, 1e-3f))),
+        "plate" => TestShape.Mesh(Clouds.InBox(rng, 4 + rng.Below(9), new Vector3(1, 1e-3f, 1))),
         "scaledHull" => Shape(rng, "hull").Scaled(Signs(rng, rng.Vector(0.3, 2))),
         "scaledBox" => Shape(rng, "box").Scaled(Signs(rng, rng.Vector(0.3, 2))),
         "mirroredCapsule" => Shape(rng, "capsule").Scaled(Signs(rng, new Vector3(rng.Float(0.3, 2)))),
@@ -120,10 +120,6 @@ internal static class Generators
             $"seed {seed} gap {gap:R}", a, poseA, b,
             new RigidPose(turned.Rotation, (Vector3)(poseA.Position + n * apart)));
     }
-
-    /// <summary>Points spread evenly in a box of the given half size.</summary>
-    public static Vector3[] Cloud(Rng rng, int count, Vector3 size) =>
-        [.. Enumerable.Range(0, count).Select(_ => rng.Vector(-1, 1) * size)];
 
     private static Vector3[] Made(Rng rng) => MadeMeshes.Any(new Rng(rng.Next()));
 

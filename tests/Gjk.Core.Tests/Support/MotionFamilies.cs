@@ -62,7 +62,7 @@ internal static class MotionFamilies
     private static TestShape OffCentre(Rng rng)
     {
         Vector3 way = rng.UnitVector() * rng.LogFloat(0.5, 20);
-        return TestShape.Mesh([.. Generators.Cloud(rng, 4 + rng.Below(13), Vector3.One).Select(p => p + way)]);
+        return TestShape.Mesh([.. Clouds.InBox(rng, 4 + rng.Below(13), Vector3.One).Select(p => p + way)]);
     }
 
     private static Vector3 Turn(Rng rng) => rng.UnitVector() * rng.LogFloat(0.03, MostTurn);

@@ -3,8 +3,6 @@ namespace Gjk.Core.Tests.Support;
 /// <summary>Balls of many corners: inside each other, they have many ways out that are nearly equally long.</summary>
 internal static class RoundHulls
 {
-    private static readonly double Golden = Math.PI * (3 - Math.Sqrt(5));
-
     /// <summary>A UV sphere of radius 1; it has (rings - 1) * count + 2 corners.</summary>
     public static ConvexHull Uv(int rings, int count)
     {
@@ -26,11 +24,5 @@ internal static class RoundHulls
     public static ConvexHull Ico(int halved) => new(Icosphere.InFloat(halved));
 
     /// <summary>Corners along a spiral from pole to pole, no two facets alike.</summary>
-    public static ConvexHull Spiral(int count) => new([.. Enumerable.Range(0, count).Select(i => OnSpiral(i, count))]);
-
-    private static Vector3 OnSpiral(int i, int count)
-    {
-        double y = 1 - (2 * i + 1.0) / count, radius = Math.Sqrt(1 - y * y);
-        return new((float)(radius * Math.Cos(i * Golden)), (float)y, (float)(radius * Math.Sin(i * Golden)));
-    }
+    public static ConvexHull Spiral(int count) => new(SphereMeshes.Spiral(count, 1));
 }

@@ -37,7 +37,7 @@ public class ShapeBoundsTests
         {
             var rng = new Rng((ulong)seed);
             Vector3 offset = rng.UnitVector() * rng.LogFloat(1, 1e6);
-            TestShape shape = TestShape.Mesh([.. Generators.Cloud(rng, 8, Vector3.One).Select(v => v + offset)]);
+            TestShape shape = TestShape.Mesh([.. Clouds.InBox(rng, 8, Vector3.One).Select(v => v + offset)]);
             Quaternion rotation = rng.Rotation();
             Vector3 back = -new RigidPose(rotation, Vector3.Zero).TransformPoint(offset);
             var pose = new RigidPose(rotation, back);

@@ -43,6 +43,16 @@ public static class Clouds
         return cloud;
     }
 
+    /// <summary>A regular prism about y, by sine and cosine in float: a corner above and the one below, in
+    /// turn.</summary>
+    public static Vector3[] Prism(int sides, float radius, float half)
+    {
+        var cloud = new Vector3[2 * sides];
+        var t = new Trigonometry(InFloat: true);
+        for (int i = 0; i < cloud.Length; i++) cloud[i] = t.OnRing(radius, i % 2 == 0 ? half : -half, i / 2, sides);
+        return cloud;
+    }
+
     /// <summary>A polygon of up to eight corners and its copy, a face each, moved straight or askew.</summary>
     public static Vector3[] Prism(Rng random)
     {

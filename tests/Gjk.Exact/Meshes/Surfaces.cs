@@ -40,18 +40,12 @@ public static class Surfaces
     });
 
     /// <summary>A box as a closed mesh.</summary>
-    public static TriangleSoup Box(Vector3 half)
-    {
-        var points = new Vector3[8];
-        for (int i = 0; i < 8; i++)
-            points[i] = half * new Vector3((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1);
-        return new TriangleSoup(
-            points,
-            [
-                0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
-                2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5,
-            ]);
-    }
+    public static TriangleSoup Box(Vector3 half) => new(
+        Clouds.Box(-half),
+        [
+            0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+            2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5,
+        ]);
 
     /// <summary>Triangles at random, some of them degenerate or repeated.</summary>
     public static TriangleSoup Soup(Rng random, int count, double size)

@@ -12,7 +12,7 @@ public enum SphereMesh
 
 /// <summary>Generates spheres. Only uses additions, multiplications, divisions and square roots, whose rounding IEEE
 /// 754 defines. So the bits are the same on every machine.</summary>
-internal static class SphereMeshes
+public static class SphereMeshes
 {
     /// <summary>Vertices in the list of either mesh.</summary>
     private const int Count = 515;
@@ -22,20 +22,20 @@ internal static class SphereMeshes
     private const int Squares = 8;
 
     public static Vector3[] Vertices(SphereMesh mesh, double radius) =>
-        mesh == SphereMesh.Unity ? Cube(radius) : Fibonacci(radius);
+        mesh == SphereMesh.Unity ? Cube(radius) : Spiral(Count, radius);
 
     /// <summary>A Fibonacci sphere. Each vertex lies one golden angle further about the axis and one equal slice lower
     /// (Swinbank and Purser 2006).</summary>
-    private static Vector3[] Fibonacci(double radius)
+    public static Vector3[] Spiral(int count, double radius)
     {
         // Cosine and sine of the golden angle, pi (3 - sqrt 5). They are constants, because the sine of two machines
         // may differ in the last bit.
         const double cos = -0.7373688780783197, sin = 0.6754902942615238;
-        var vertices = new Vector3[Count];
+        var vertices = new Vector3[count];
         double x = 1, z = 0;
         for (int i = 0; i < vertices.Length; i++)
         {
-            double y = 1 - (2 * i + 1) / (double)vertices.Length, ring = Math.Sqrt(1 - y * y);
+            double y = 1 - (2 * i + 1) / (double)count, ring = Math.Sqrt(1 - y * y);
             vertices[i] = new Vector3((float)(radius * ring * x), (float)(radius * y), (float)(radius * ring * z));
             (x, z) = (x * cos - z * sin, x * sin + z * cos);
         }

@@ -31,7 +31,7 @@ public class RayHullTests
         var prism = new ConvexHull([.. TestShape.Corners(Vector3.One), new(0, 0, 3)]);
         Assert.Equal(12 * 4, prism.Planes!.Blocks.Length);
         Assert.Null(new ConvexHull([.. TestShape.Corners(new(1, 0, 1))]).Planes);
-        Vector3[] dense = [.. Generators.Cloud(new Rng(1), 3000, Vector3.One).Select(Vector3.Normalize)];
+        Vector3[] dense = [.. Clouds.InBox(new Rng(1), 3000, Vector3.One).Select(Vector3.Normalize)];
         Assert.Null(new ConvexHull(dense).Planes);
     }
 

@@ -20,7 +20,7 @@ public class RaySameBitsTests
         Same(new TriangleShape(a, b, c), ConvexShape.Triangle(a, b, c));
         Same(new SegmentShape(a, b), ConvexShape.Segment(a, b));
         Same(new Rounded<SegmentShape>(new SegmentShape(a, b), 0.3f), ConvexShape.Segment(a, b).Rounded(0.3f));
-        var hull = new ConvexHull(Generators.Cloud(new Rng(1), 32, Vector3.One));
+        var hull = new ConvexHull(Clouds.InBox(new Rng(1), 32, Vector3.One));
         Same(new ConvexMesh(hull), ConvexShape.Mesh(hull));
         Same(new Scaled<ConvexMesh>(new ConvexMesh(hull), Uneven), ConvexShape.Mesh(hull).Scaled(Uneven));
         var box = new ConvexHull(TestShape.Corners(Half));

@@ -86,7 +86,7 @@ internal static class RayShapes
                     $"ellipsoid {radii}", ConvexShape.Ellipsoid(radii), new EllipsoidReference(radii),
                     2 * Largest(radii));
             default:
-                Vector3[] cloud = Generators.Cloud(rng, kind == "hull" ? 8 + rng.Below(3) : 4, size);
+                Vector3[] cloud = Clouds.InBox(rng, kind == "hull" ? 8 + rng.Below(3) : 4, size);
                 return New(
                     $"hull {string.Join(" ", cloud)}", ConvexShape.Mesh(cloud), Polytope(cloud), 2 * Largest(size));
         }
