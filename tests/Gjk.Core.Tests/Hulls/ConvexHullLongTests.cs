@@ -41,13 +41,13 @@ public class ConvexHullLongTests
         _output.WriteLine(
             $"{family} {count}: {hull.VertexCount} corners, {hull.TriangleCount} triangles, "
             + $"{watch.Elapsed.TotalSeconds:F2} s");
-        var random = new Random(Seed);
+        var rng = new Rng(Seed);
         for (int i = 0; i < Directions; i++)
         {
             HullCheck.Support(
-                hull, cloud, HullClouds.OnSphere(random), $"{family} {count}, seed {Seed}, direction {i}");
+                hull, cloud, rng.UnitVector(), $"{family} {count}, seed {Seed}, direction {i}");
         }
-        CheckSample(hull, cloud, random, $"{family} {count}, seed {Seed}");
+        CheckSample(hull, cloud, rng, $"{family} {count}, seed {Seed}");
     }
 
     [Fact]
@@ -68,17 +68,17 @@ public class ConvexHullLongTests
         if (IsShortRun) return;
         Vector3[] cloud = ConvexHullSupportTests.Cloud(family);
         var hull = new ConvexHull(cloud);
-        var random = new Random(6);
+        var rng = new Rng(6);
         for (int i = 0; i < 1000000; i++)
-            HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family}, direction seed 6, {i}");
+            HullCheck.Support(hull, cloud, rng.UnitVector(), $"{family}, direction seed 6, {i}");
     }
 
     /// <summary>All points against some triangles.</summary>
-    private static void CheckSample(ConvexHull hull, Vector3[] cloud, Random random, string label)
+    private static void CheckSample(ConvexHull hull, Vector3[] cloud, Rng rng, string label)
     {
         for (int i = 0; i < Triangles && hull.Dimension == 3; i++)
         {
-            hull.GetTriangle(random.Next(hull.TriangleCount), out int a, out int b, out int c);
+            hull.GetTriangle(rng.Below(hull.TriangleCount), out int a, out int b, out int c);
             HullCheck.NoneAbove(hull.GetVertex(a), hull.GetVertex(b), hull.GetVertex(c), cloud, label);
         }
     }
@@ -88,11 +88,11 @@ public class ConvexHullLongTests
         "ball" => HullClouds.Ball(seed, count),
         "box" => HullClouds.Box(seed, count),
         "sphere" => HullClouds.Sphere(seed, count),
-        "spiral" => HullClouds.Spiral(count),
+        "spiral" => SphereMeshes.Spiral(count, 1),
         "turned" => HullClouds.TurnedSquare(seed, count),
         "plane" => HullClouds.ExactPlane(seed, count),
-        "circle" => Enumerable.Range(0, count).Select(i => OnCircle(i, count, 0)).ToArray(),
-        "cylinder" => Enumerable.Range(0, count).Select(i => OnCircle(i / 2, count / 2, i % 2)).ToArray(),
+        "circle" => HostileClouds.Disc(count),
+        "cylinder" => HostileClouds.Prism(count),
         "parabola" => Enumerable.Range(0, count).Select(i => new Vector3(i, (float)((double)i * i), i % 7)).ToArray(),
         "any" => HullClouds.AnyFloats(seed, count),
         "grid" => HullClouds.Grid(100),
@@ -103,10 +103,4 @@ public class ConvexHullLongTests
                 p => new Vector3(p.X + p.Y / 4096 + p.Z / 65536, p.Y + p.Z / 65536, p.Z)).ToArray(),
         _ => Enumerable.Range(0, count).Select(i => i * new Vector3(1, 2, 4)).ToArray(),
     };
-
-    private static Vector3 OnCircle(int i, int count, float height)
-    {
-        double angle = 2 * Math.PI * i / count;
-        return new Vector3((float)Math.Cos(angle), (float)Math.Sin(angle), height);
-    }
 }

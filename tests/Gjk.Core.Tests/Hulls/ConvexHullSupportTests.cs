@@ -16,9 +16,9 @@ public class ConvexHullSupportTests
         Vector3[] cloud = Cloud(family);
         var hull = new ConvexHull(cloud);
         const int Seed = 77;
-        var random = new Random(Seed);
+        var rng = new Rng(Seed);
         for (int i = 0; i < Directions; i++)
-            HullCheck.Support(hull, cloud, HullClouds.OnSphere(random), $"{family}, direction seed {Seed}, {i}");
+            HullCheck.Support(hull, cloud, rng.UnitVector(), $"{family}, direction seed {Seed}, {i}");
         foreach (Vector3 axis in new[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ, Vector3.One })
         {
             HullCheck.Support(hull, cloud, axis, family);
@@ -32,11 +32,11 @@ public class ConvexHullSupportTests
     {
         var hull = new ConvexHull(Cloud(family));
         const int Seed = 78;
-        var random = new Random(Seed);
+        var rng = new Rng(Seed);
         for (int i = 0; i < 100; i++)
         {
-            Vector3 direction = HullClouds.OnSphere(random);
-            int at = random.Next(hull.VertexCount);
+            Vector3 direction = rng.UnitVector();
+            int at = rng.Below(hull.VertexCount);
             for (bool rises = true; rises;)
             {
                 rises = false;
@@ -64,7 +64,7 @@ public class ConvexHullSupportTests
         int triangles = new ConvexHull(cloud).TriangleCount;
         for (int seed = 0; seed < 5; seed++)
         {
-            var permuted = new ConvexHull(HullClouds.Permuted(cloud, seed));
+            var permuted = new ConvexHull(Copies.Shuffled(new Rng((ulong)seed), cloud));
             Assert.True(corners.SetEquals(HullCheck.Corners(permuted)), $"{family}, permutation seed {seed}");
 
             // Facets may be cut differently when the points are numbered differently, but not into more or fewer
@@ -97,7 +97,7 @@ public class ConvexHullSupportTests
         "sphere" => HullClouds.Sphere(22, 500),
         "box" => HullClouds.Box(23, 1000),
         "integers" => HullClouds.SmallIntegers(24, 400, 6),
-        "spiral" => HullClouds.Spiral(515),
+        "spiral" => SphereMeshes.Spiral(515, 1),
         "turned" => HullClouds.TurnedSquare(25, 500),
         "tiny" => HullClouds.Ball(26, 300, 1e-42f),
         "huge" => HullClouds.Box(27, 300, 3e38f),

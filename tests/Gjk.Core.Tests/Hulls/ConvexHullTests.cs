@@ -92,12 +92,12 @@ public class ConvexHullTests
     {
         for (int seed = 0; seed < 60; seed++)
         {
-            var random = new Random(seed);
+            var rng = new Rng((ulong)seed);
             Vector3 u = HullClouds.SmallIntegers(seed, 1, 9)[0] - new Vector3(4);
             Vector3 v = HullClouds.SmallIntegers(seed + 1000, 1, 9)[0] - new Vector3(4);
             var cloud = new Vector3[3 + seed % 20];
             for (int i = 0; i < cloud.Length; i++)
-                cloud[i] = random.Next(-5, 6) * u + random.Next(-5, 6) * v + new Vector3(100, 7, -3);
+                cloud[i] = (rng.Below(11) - 5) * u + (rng.Below(11) - 5) * v + new Vector3(100, 7, -3);
             HullCheck.All(new ConvexHull(cloud), cloud, $"flat, seed {seed}");
         }
     }
@@ -209,7 +209,7 @@ public class ConvexHullTests
     [Fact]
     public void ASphereOf515PointsKeepsThemAll()
     {
-        Vector3[] cloud = HullClouds.Spiral(515);
+        Vector3[] cloud = SphereMeshes.Spiral(515, 1);
         var hull = new ConvexHull(cloud);
         HullCheck.All(hull, cloud, "spiral 515");
         Assert.Equal((515, 1026), (hull.VertexCount, hull.TriangleCount));
@@ -218,7 +218,7 @@ public class ConvexHullTests
     [Fact]
     public void ADenseSpiralIsHulled()
     {
-        Vector3[] cloud = HullClouds.Spiral(4096, 0.37f);
+        Vector3[] cloud = SphereMeshes.Spiral(4096, 0.37);
         var hull = new ConvexHull(cloud);
         HullCheck.All(hull, cloud, "spiral 4096");
         Assert.Equal(4096, hull.VertexCount);

@@ -21,7 +21,7 @@ public class FlatFaceCostTests
     [InlineData("cluster")]
     public void NoListIsLong(string kind)
     {
-        var hull = new ConvexHull(LargeClouds.Make(kind));
+        var hull = new ConvexHull(HostileClouds.Create(kind));
         HullCells cells = hull.Cells;
         for (int i = 0; i < cells.NoCell; i++)
         {
@@ -37,10 +37,10 @@ public class FlatFaceCostTests
     [InlineData(true, 5000)]
     public void ASearchLooksAtFewOfTheCorners(bool turned, int sides)
     {
-        Vector3[] cloud = LargeClouds.Prism(sides);
-        var hull = new ConvexHull(turned ? LargeClouds.Turned(cloud) : cloud);
+        Vector3[] cloud = HostileClouds.Prism(2 * sides);
+        var hull = new ConvexHull(turned ? HostileClouds.Turned(cloud) : cloud);
         Assert.NotNull(hull.Cells.Tree);
-        Vector3 axis = turned ? LargeClouds.Turned([Vector3.UnitZ])[0] : Vector3.UnitZ;
+        Vector3 axis = turned ? HostileClouds.Turned([Vector3.UnitZ])[0] : Vector3.UnitZ;
         var rng = new Rng(9);
         for (int exponent = -18; exponent < 0; exponent++)
         {

@@ -33,7 +33,7 @@ public class HullDirectionLengthTests
     public void AComponentAcrossAFlatHullDoesNotHideTheOthers()
     {
         ConvexHull square = new([new(1, 0, 1), new(-1, 0, 1), new(1, 0, -1), new(-1, 0, -1)]);
-        ConvexHull disc = new(LargeClouds.Disc(500));
+        ConvexHull disc = new(HostileClouds.Disc(500));
         foreach (double big in new[] { 1e300, 1, 1e-10, 0 })
         {
             HullSupport.Find(square.Cells, new Double3(1e-320, big, -1e-320), out Double3 corner);
@@ -63,7 +63,7 @@ public class HullDirectionLengthTests
 
         foreach (string kind in new[] { "prism", "disc", "turned disc" })
         {
-            var hull = new ConvexHull(LargeClouds.Make(kind));
+            var hull = new ConvexHull(HostileClouds.Create(kind));
             var d = new Double3(x, y, z);
             Assert.Equal(PlainScan.Furthest(hull.Cells, d), HullSupport.Find(hull.Cells, d, out _));
         }

@@ -10,20 +10,20 @@ public class SlowHullTests
     private const int Count = 40000;
 
     [Fact]
-    public void ALogSpiralIsBuiltInTime() => BuildsQuickly(WorstHullClouds.LogSpiral(Count), Count);
+    public void ALogSpiralIsBuiltInTime() => BuildsQuickly(HostileClouds.LogSpiral(Count), Count);
 
     [Fact]
     public void AShrinkingMomentCurveIsBuiltInTime() =>
-        BuildsQuickly(WorstHullClouds.ShrinkingMomentCurve(Count), Count - 20);
+        BuildsQuickly(HostileClouds.ShrinkingMomentCurve(Count), Count - 20);
 
     [Fact]
-    public void ADeepFacetIsBuiltInTime() => BuildsQuickly(WorstHullClouds.DeepFacets(Count), Count / 2);
+    public void ADeepFacetIsBuiltInTime() => BuildsQuickly(HostileClouds.DeepFacets(Count), Count / 2);
 
     [Fact]
     public void AnApexOfHighDegreeIsBuiltInTime()
     {
         // The float circle is rounded, and not all of its points are corners.
-        HullMesh mesh = BuildsQuickly(WorstHullClouds.Cone(Count), 20000);
+        HullMesh mesh = BuildsQuickly(HostileClouds.Cone(Count), 20000);
         int apex = mesh.Corners.Length - 1;
         Assert.Equal(Count - 1, mesh.Corners[apex]);
         Assert.InRange(mesh.Triangles.Count(corner => corner == apex), mesh.Corners.Length / 2, mesh.Corners.Length);
@@ -32,7 +32,7 @@ public class SlowHullTests
     [Fact]
     public void PointsWhoseHashesCollide()
     {
-        Vector3[] cloud = WorstHullClouds.Colliding(Count);
+        Vector3[] cloud = HostileClouds.Colliding(Count);
         Vector3[] twice = [.. cloud, .. cloud.Reverse(), .. cloud];
         var distinct = new DistinctPoints(twice);
         Assert.True(distinct.Points.SequenceEqual(cloud), "the points changed, or their order");
@@ -45,7 +45,7 @@ public class SlowHullTests
     [Fact]
     public void CollidingPointsWithNegativeZerosAreBuiltInTime()
     {
-        Vector3[] cloud = WorstHullClouds.Colliding(1000);
+        Vector3[] cloud = HostileClouds.Colliding(1000);
         Vector3[] twice = [.. cloud.Select(p => new Vector3(p.X, p.Y, -0f)), .. cloud];
         var distinct = new DistinctPoints(twice);
         Assert.Equal(Enumerable.Range(0, 1000), distinct.Sources);
@@ -61,10 +61,10 @@ public class SlowHullTests
         Assert.InRange(mesh.Corners.Length, leastCorners, points.Length);
 
         // Every triangle bounds the cloud; a sample, as all against all would be quadratic.
-        var random = new Random(1);
+        var random = new Rng(1);
         for (int i = 0; i < 10; i++)
         {
-            int t = 3 * random.Next(mesh.Triangles.Length / 3);
+            int t = 3 * random.Below(mesh.Triangles.Length / 3);
             Vector3 a = points[mesh.Corners[mesh.Triangles[t]]], b = points[mesh.Corners[mesh.Triangles[t + 1]]];
             HullCheck.NoneAbove(a, b, points[mesh.Corners[mesh.Triangles[t + 2]]], points, $"triangle {t / 3}");
         }

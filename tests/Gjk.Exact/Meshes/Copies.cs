@@ -14,16 +14,20 @@ public static class Copies
     }
 
     /// <summary>Each point once for every triangle that meets there: from two to six times, in no order.</summary>
-    public static Vector3[] Unwelded(Rng random, Vector3[] cloud)
+    public static Vector3[] Unwelded(Rng random, Vector3[] cloud) =>
+        Shuffled(random, [.. cloud.SelectMany(p => Enumerable.Repeat(p, 2 + random.Below(5)))]);
+
+    /// <summary>The points in another order.</summary>
+    public static Vector3[] Shuffled(Rng random, Vector3[] cloud)
     {
-        Vector3[] copies = [.. cloud.SelectMany(p => Enumerable.Repeat(p, 2 + random.Below(5)))];
-        for (int i = copies.Length - 1; i > 0; i--)
+        Vector3[] copy = [.. cloud];
+        for (int i = copy.Length - 1; i > 0; i--)
         {
             int k = random.Below(i + 1);
-            (copies[i], copies[k]) = (copies[k], copies[i]);
+            (copy[i], copy[k]) = (copy[k], copy[i]);
         }
 
-        return copies;
+        return copy;
     }
 
     /// <summary>Without repeats, to the last bit.</summary>

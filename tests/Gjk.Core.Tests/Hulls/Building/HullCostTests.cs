@@ -19,7 +19,7 @@ public class HullCostTests
 
     private static bool IsShortRun => Environment.GetEnvironmentVariable("GJK_LONG") != "1";
 
-    public static TheoryData<string> Families => [.. WorstHullClouds.Names];
+    public static TheoryData<string> Families => [.. HostileClouds.Names];
 
     [Theory]
     [MemberData(nameof(Families))]
@@ -27,7 +27,7 @@ public class HullCostTests
     {
         for (int count = Count / 100; count <= Count; count *= 10)
         {
-            double work = Work(WorstHullClouds.Create(family, count), QuickHull.MostWork, out int points);
+            double work = Work(HostileClouds.Create(family, count), QuickHull.MostWork, out int points);
             double perPoint = work / points / Math.Log2(points);
             Assert.True(perPoint <= MostWork, $"{family}, {count} points: {perPoint} n log n");
         }
@@ -37,7 +37,7 @@ public class HullCostTests
     [MemberData(nameof(Families))]
     public void TheRandomOrderBoundsTheWork(string family)
     {
-        double work = Work(WorstHullClouds.Create(family, Count), 0, out int points);
+        double work = Work(HostileClouds.Create(family, Count), 0, out int points);
         Assert.InRange(work / points / Math.Log2(points), 0, MostRandomWork);
     }
 
@@ -53,7 +53,7 @@ public class HullCostTests
     [InlineData("prism")]
     public void OrdinaryCloudsAreDoneWithTheFurthestPointsFirst(string family)
     {
-        double work = Work(WorstHullClouds.Create(family, Count), QuickHull.MostWork, out int points);
+        double work = Work(HostileClouds.Create(family, Count), QuickHull.MostWork, out int points);
         Assert.InRange(work / points / Math.Log2(points), 0.1, MostOrdinaryWork);
     }
 
@@ -61,8 +61,8 @@ public class HullCostTests
     public void TheLimitIsNeeded()
     {
         // Without it the log spiral is quadratic, or the limit above would hold for any order.
-        double limited = Work(WorstHullClouds.LogSpiral(Count), QuickHull.MostWork, out int points);
-        double unlimited = Work(WorstHullClouds.LogSpiral(Count), int.MaxValue, out _);
+        double limited = Work(HostileClouds.LogSpiral(Count), QuickHull.MostWork, out int points);
+        double unlimited = Work(HostileClouds.LogSpiral(Count), int.MaxValue, out _);
         double unit = points * Math.Log2(points);
         Assert.True(limited > QuickHull.MostWork * unit, $"the limit was not reached: {limited / unit}");
         Assert.True(unlimited > 3 * MostWork * unit, $"the furthest points first took {unlimited / unit} only");
@@ -76,7 +76,7 @@ public class HullCostTests
     [InlineData("any floats")]
     public void RepeatsOfOrdinaryCloudsAreFoundByTheHash(string family)
     {
-        Vector3[] cloud = WorstHullClouds.Create(family, Count);
+        Vector3[] cloud = HostileClouds.Create(family, Count);
         Assert.InRange(new DistinctPoints(cloud).Comparisons, cloud.Length, 3 * cloud.Length);
     }
 
@@ -85,7 +85,7 @@ public class HullCostTests
     public void AHundredThousandPointsTakeLittleWork(string family)
     {
         if (IsShortRun) return;
-        double work = Work(WorstHullClouds.Create(family, 100000), QuickHull.MostWork, out int points);
+        double work = Work(HostileClouds.Create(family, 100000), QuickHull.MostWork, out int points);
         double perPoint = work / points / Math.Log2(points);
         Assert.True(perPoint <= MostWork, $"{family}: {perPoint} n log n");
     }

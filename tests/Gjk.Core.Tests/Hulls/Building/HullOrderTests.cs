@@ -5,13 +5,13 @@ public class HullOrderTests
 {
     private const int Small = 150, Medium = 3000;
 
-    public static TheoryData<string> Families => [.. WorstHullClouds.Names];
+    public static TheoryData<string> Families => [.. HostileClouds.Names];
 
     [Theory]
     [MemberData(nameof(Families))]
     public void RandomOrderGivesTheSameCorners(string family)
     {
-        Vector3[] cloud = new DistinctPoints(WorstHullClouds.Create(family, Medium)).Points;
+        Vector3[] cloud = new DistinctPoints(HostileClouds.Create(family, Medium)).Points;
         HullMesh expected = ConvexHullBuilder.Build(cloud, int.MaxValue, out _);
         HullMesh shuffled = ConvexHullBuilder.Build(cloud, 0, out _);
         Assert.Equal(expected.Corners, shuffled.Corners);
@@ -24,8 +24,8 @@ public class HullOrderTests
     {
         for (int seed = 0; seed < 5; seed++)
         {
-            Vector3[] inOrder = new DistinctPoints(WorstHullClouds.Create(family, Small + seed)).Points;
-            Vector3[] cloud = HullClouds.Permuted(inOrder, seed);
+            Vector3[] inOrder = new DistinctPoints(HostileClouds.Create(family, Small + seed)).Points;
+            Vector3[] cloud = Copies.Shuffled(new Rng((ulong)seed), inOrder);
             IsHull(ConvexHullBuilder.Build(cloud, 0, out _), cloud, $"{family}, seed {seed}, random order");
             string label = $"{family}, seed {seed}, furthest first";
             IsHull(ConvexHullBuilder.Build(cloud, int.MaxValue, out _), cloud, label);
@@ -36,7 +36,7 @@ public class HullOrderTests
     [MemberData(nameof(Families))]
     public void BuildingIsRepeatable(string family)
     {
-        Vector3[] cloud = new DistinctPoints(WorstHullClouds.Create(family, Medium)).Points;
+        Vector3[] cloud = new DistinctPoints(HostileClouds.Create(family, Medium)).Points;
         foreach (int mostWork in new[] { 0, QuickHull.MostWork })
         {
             HullMesh first = ConvexHullBuilder.Build(cloud, mostWork, out long work);

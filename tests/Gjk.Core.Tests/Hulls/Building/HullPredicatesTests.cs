@@ -20,7 +20,7 @@ public class HullPredicatesTests
     [InlineData("deep plane, nudged", 13)]
     public void SideIsExact(string family, int seed)
     {
-        var random = new Random(seed);
+        var random = new Rng((ulong)seed);
         int zeros = 0;
         for (int i = 0; i < Quadruples; i++)
         {
@@ -55,7 +55,7 @@ public class HullPredicatesTests
     [InlineData("wide line, nudged", 18)]
     public void TurnIsExact(string family, int seed)
     {
-        var random = new Random(seed);
+        var random = new Rng((ulong)seed);
         for (int i = 0; i < Quadruples; i++)
         {
             Vector3[] p = Quadruple(family, random);
@@ -86,9 +86,9 @@ public class HullPredicatesTests
         Assert.Equal(1, plane.Side(plane.PlaneThrough(0, 1, 2), 3, out _));
     }
 
-    private static Vector3[] Quadruple(string family, Random random)
+    private static Vector3[] Quadruple(string family, Rng random)
     {
-        int seed = random.Next();
+        int seed = random.Below(int.MaxValue);
         return family switch
         {
             "box" => HullClouds.Box(seed, 4),
@@ -115,11 +115,11 @@ public class HullPredicatesTests
     }
 
     /// <summary>Weights of a quarter keep the fourth point in the plane, or let the last bit push it out.</summary>
-    private static Vector3[] AlmostCoplanar(Random random)
+    private static Vector3[] AlmostCoplanar(Rng random)
     {
-        Vector3[] p = HullClouds.Box(random.Next(), 4);
+        Vector3[] p = HullClouds.Box(random.Below(int.MaxValue), 4);
         p[3] = 0.25f * p[0] + 0.25f * p[1] + 0.5f * p[2];
-        if (random.Next(2) == 0) p[2] = p[0] + 2 * (p[1] - p[0]);
+        if (random.OneIn(2)) p[2] = p[0] + 2 * (p[1] - p[0]);
         return p;
     }
 }

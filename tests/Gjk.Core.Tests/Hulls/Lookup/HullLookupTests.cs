@@ -53,7 +53,7 @@ public class HullLookupTests
     [MemberData(nameof(Large))]
     public void ItIsRightOnLargeHulls(string kind)
     {
-        ConvexHull hull = Check(LargeClouds.Make(kind), kind, 77, Directions / 5);
+        ConvexHull hull = Check(HostileClouds.Create(kind), kind, 77, Directions / 5);
         Assert.Equal(kind is not ("turned disc" or "cluster"), hull.Cells.Tree is not null);
         Assert.Equal(kind == "turned disc", hull.Cells.Kind == HullCells.LookupKind.Flat);
     }

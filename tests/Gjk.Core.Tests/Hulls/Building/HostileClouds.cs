@@ -1,8 +1,11 @@
 namespace Gjk.Core.Tests;
 
-/// <summary>Clouds that make an incremental hull slow, in the order in which programs make them.</summary>
-internal static class WorstHullClouds
+/// <summary>Clouds that make an incremental hull slow, in the order in which programs make them; and clouds with faces
+/// of many corners and rims of many sides, where no list of candidates is short.</summary>
+internal static class HostileClouds
 {
+    private static readonly Quaternion Turn = Quaternion.Normalize(new Quaternion(0.3f, 0.4f, -0.2f, 0.8f));
+
     private static readonly Dictionary<string, Func<int, Vector3[]>> Families = new()
     {
         ["ball"] = count => HullClouds.Ball(1, count),
@@ -15,7 +18,15 @@ internal static class WorstHullClouds
         ["helix"] = count => Curve(count, t => (Math.Cos(100 * t), Math.Sin(100 * t), t)),
         ["sphere spiral"] = count => Curve(count, SphereSpiral),
         ["cone"] = Cone,
-        ["prism"] = count => Index(count, i => OnCircle(i / 2, count / 2, i % 2)),
+        ["prism"] = Prism,
+        ["turned prism"] = count => Turned(Prism(count)),
+        ["far prism"] = count => Moved(Prism(count), new Vector3(200, -100, 300)),
+        ["disc"] = count => Disc(count),
+        ["turned disc"] = count => Array.ConvertAll(Disc(count), p => new Vector3(p.X, p.X, p.Y)),
+        ["dome"] = Dome,
+        ["turned dome"] = count => Turned(Dome(count)),
+        ["cluster"] = Cluster,
+        ["rings"] = count => [.. Disc(count / 3), .. Disc(count / 3, 1e-7f), .. Disc(count / 3, 0.00999f, 0.999f)],
         ["deep facets"] = DeepFacets,
         ["shrinking paraboloid"] = count => Curve(count, ShrinkingParaboloid),
         ["line and one"] = count => [.. Curve(count - 1, t => (t, 3 * t, 5 * t)), Vector3.UnitZ],
@@ -29,7 +40,7 @@ internal static class WorstHullClouds
 
     public static IEnumerable<string> Names => Families.Keys;
 
-    public static Vector3[] Create(string family, int count) => Families[family](count);
+    public static Vector3[] Create(string family, int count = 3000) => Families[family](count);
 
     /// <summary>Ten turns, while the radius shrinks from 1 to e^-40 and the height with its square.</summary>
     public static Vector3[] LogSpiral(int count) => Curve(count, t =>
@@ -46,7 +57,14 @@ internal static class WorstHullClouds
     });
 
     /// <summary>A circle and an apex that is joined to all of it.</summary>
-    public static Vector3[] Cone(int count) => [.. Index(count - 1, i => OnCircle(i, count - 1, 0)), Vector3.UnitZ];
+    public static Vector3[] Cone(int count) => [.. Disc(count - 1), Vector3.UnitZ];
+
+    public static Vector3[] Disc(int sides, float height = 0, double radius = 1) =>
+        Index(sides, i => OnCircle(i, sides, height, radius));
+
+    public static Vector3[] Prism(int count) => Index(count, i => OnCircle(i / 2, count / 2, 2 * (i % 2) - 1));
+
+    public static Vector3[] Turned(Vector3[] cloud) => Array.ConvertAll(cloud, p => Vector3.Transform(p, Turn));
 
     /// <summary>Parabolas in two planes, z = x exactly, whose points halve their distance from the vertex seventy
     /// times: coplanar points with magnitudes far apart.</summary>
@@ -80,14 +98,39 @@ internal static class WorstHullClouds
         return (r * Math.Cos(300 * t), r * Math.Sin(300 * t), Math.Cos(Math.PI * t));
     }
 
-    private static Vector3 OnCircle(int i, int count, float height)
+    /// <summary>A box whose upper face bulges a thousandth: all its normals lie in a cell or two.</summary>
+    private static Vector3[] Dome(int count)
     {
-        double angle = 2 * Math.PI * i / count;
-        return new Vector3((float)Math.Cos(angle), (float)Math.Sin(angle), height);
+        int side = (int)Math.Sqrt(count - 4) - 1;
+        List<Vector3> points = [new(-1, -1, -1), new(1, -1, -1), new(-1, 1, -1), new(1, 1, -1)];
+        for (int i = 0; i <= side; i++)
+        {
+            for (int j = 0; j <= side; j++)
+            {
+                double x = 2.0 * i / side - 1, y = 2.0 * j / side - 1;
+                points.Add(new Vector3((float)x, (float)y, (float)(1 - 0.001 * (x * x + y * y))));
+            }
+        }
+
+        return [.. points];
     }
 
-    private static IEnumerable<Vector3> FarCluster(int count) =>
-        HullClouds.Sphere(2, count).Select(p => p + new Vector3(1e10f, 2e10f, 3e10f));
+    /// <summary>Most of the points in one place.</summary>
+    private static Vector3[] Cluster(int count) =>
+    [
+        .. Moved(HullClouds.Sphere(5, count - count / 6, 1e-6f), Vector3.One), .. HullClouds.Box(6, count / 6),
+    ];
+
+    private static Vector3[] Moved(Vector3[] cloud, Vector3 by) => Array.ConvertAll(cloud, p => p + by);
+
+    private static Vector3 OnCircle(int i, int count, float height, double radius = 1)
+    {
+        (double sin, double cos) = Math.SinCos(2 * Math.PI * i / count);
+        return new Vector3((float)(radius * cos), (float)(radius * sin), height);
+    }
+
+    private static Vector3[] FarCluster(int count) =>
+        Moved(HullClouds.Sphere(2, count), new Vector3(1e10f, 2e10f, 3e10f));
 
     private static float Power(int exponent) => (float)Math.Pow(2, exponent % 149);
 
