@@ -24,7 +24,8 @@ public sealed class Motion
         for (int i = 0; i < scene.Poses.Length; i++)
         {
             RigidPose middle = scene.Poses[i];
-            Vector3 axis = prng.UnitVector(), course = prng.UnitVector() * (float)(SizesPerFrame * Size(scene.Shapes[i]));
+            Vector3 axis = prng.UnitVector();
+            Vector3 course = prng.UnitVector() * (float)(SizesPerFrame * Size(scene.Shapes[i]));
             for (int frame = 0; frame < _frames.Length; frame++)
             {
                 int step = frame - StepsAside;

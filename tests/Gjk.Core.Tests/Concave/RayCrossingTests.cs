@@ -184,7 +184,8 @@ public class RayCrossingTests
             "box" => box,
             "hollow" => Solids.Joined((box, default), (Solids.Flipped(Solids.Scaled(box, 0.5f)), default)),
             _ => new TriangleMesh(
-                [.. Solids.Vertices(Solids.Named(name, seed)).Select(OnLattice)], Solids.Indices(Solids.Named(name, seed))),
+                [.. Solids.Vertices(Solids.Named(name, seed)).Select(OnLattice)],
+                Solids.Indices(Solids.Named(name, seed))),
         };
     }
 

@@ -58,7 +58,8 @@ public class FlatHullRayTests
             for (int k = 0; k < 4; k++)
             {
                 Vector3 local = (cloud[0] * rng.Float(-1, 1) + cloud[1] * rng.Float(-1, 1)) * 1.2f;
-                Vector3 direction = rng.UnitVector(), origin = pose.TransformPoint(local) - direction * rng.Float(1, 50);
+                Vector3 direction = rng.UnitVector();
+                Vector3 origin = pose.TransformPoint(local) - direction * rng.Float(1, 50);
                 if (!IsClear(shape, pose, origin, direction, out TrueHit truth)) continue;
                 asked++;
                 if (truth.Status == CastStatus.Hit) hits++;

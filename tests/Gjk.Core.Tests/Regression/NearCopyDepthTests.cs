@@ -25,8 +25,8 @@ public class NearCopyDepthTests
     {
         ConvexShape[] shapes =
         [
-            ConvexShape.Mesh(Octahedron), ConvexShape.Mesh(Clouds.Prism(3, 1, 1)), ConvexShape.Mesh(Clouds.Prism(12, 1, 1)),
-            ConvexShape.Mesh(Clouds.Prism(64, 1, 1)), ConvexShape.Box(Vector3.One),
+            ConvexShape.Mesh(Octahedron), Prism(3), Prism(12),
+            Prism(64), ConvexShape.Box(Vector3.One),
         ];
         double[] depths = [2 / Math.Sqrt(3), 1.5, 2 * Math.Cos(Math.PI / 12), 2 * Math.Cos(Math.PI / 64), 2];
         for (ulong seed = 0; seed < (ulong)Budget.Count(400); seed++)
@@ -46,7 +46,7 @@ public class NearCopyDepthTests
     [Fact]
     public void APointInACylinderOfManySides()
     {
-        ConvexShape cylinder = ConvexShape.Mesh(Clouds.Prism(8, 1, 1));
+        ConvexShape cylinder = Prism(8);
         DistanceResult r = ConvexQuery.SignedDistance(
             ConvexShape.Point(), new RigidPose(new Vector3(0.136410892f, 0.0401664525f, 0.04207756f)), cylinder,
             new RigidPose(new(0, 0, 0.866025388f, 0.5f), default));
@@ -60,7 +60,7 @@ public class NearCopyDepthTests
     public void ABoxInACylinderOfManySides(float y, float z, float w)
     {
         DistanceResult r = ConvexQuery.SignedDistance(
-            ConvexShape.Box(Vector3.One), new RigidPose(new(0, y, z, w), default), ConvexShape.Mesh(Clouds.Prism(12, 1, 1)),
+            ConvexShape.Box(Vector3.One), new RigidPose(new(0, y, z, w), default), Prism(12),
             RigidPose.Identity);
         Assert.Equal((GjkStatus.Overlapping, -2f), (r.Status, r.Distance));
     }
@@ -185,4 +185,6 @@ public class NearCopyDepthTests
             0.2964152f
         },
     };
+
+    private static ConvexShape Prism(int sides) => ConvexShape.Mesh(Clouds.Prism(sides, 1, 1));
 }

@@ -38,7 +38,7 @@ public class TriangleEdgeRayTests
         for (int i = 0; i < Rays; i++)
         {
             Vector3 a = rng.UnitVector(), c = rng.UnitVector() * rng.Float(0.1, 1);
-            Vector3 b = i % 2 == 0 ? rng.UnitVector() * rng.Float(0.1, 1) : a + rng.UnitVector() * rng.Float(1e-4, 1e-2);
+            Vector3 way = rng.UnitVector(), b = i % 2 == 0 ? way * rng.Float(0.1, 1) : a + way * rng.Float(1e-4, 1e-2);
             Vector3 edge = i % 3 == 0 ? c - b : a - c, aim = c + (i % 4 < 2 ? default : (a - c) * rng.Float(0, 1));
             Vector3 to = Vector3.Normalize(edge) + rng.UnitVector() * rng.LogFloat(1e-4, 1);
             Vector3 origin = aim - to * rng.Float(0.1, 2);
