@@ -14,6 +14,13 @@ internal sealed class WorstBoxes
     /// <summary>Every two are a pair.</summary>
     public static readonly string[] Dense = ["one place", "identical", "nested"];
 
+    /// <summary>A tree that grows by one of them at a time grows deep, as surfaces say nothing.</summary>
+    public static readonly string[] Deep =
+    [
+        .. Dense, "line", "line, backward", "line, anywhere", "nested, inward", "nested powers of two",
+        "infinite surfaces", "flat",
+    ];
+
     private readonly Rng _rng;
     private readonly Vector3[] _centers;
     private readonly Vector3[] _halves;
@@ -87,6 +94,12 @@ internal sealed class WorstBoxes
             "one place" => (Vector3.One, Vector3.Zero, Vector3.Zero),
             "identical" => (Vector3.One, Vector3.One, Vector3.Zero),
             "nested" => (Vector3.Zero, new Vector3(i + 1), Vector3.Zero),
+            "line, backward" => (new Vector3(0, -i, 0), Vector3.Zero, Vector3.Zero),
+            "line, anywhere" => (new Vector3(0, 0, _rng.Float(0, 1)), Vector3.Zero, Vector3.Zero),
+            "nested, inward" => (Vector3.Zero, new Vector3(count - i), Vector3.Zero),
+            "nested powers of two" => (Vector3.Zero, new Vector3((float)Math.Pow(2, i % 250 - 125)), Vector3.Zero),
+            "infinite surfaces" => (Vector3.Zero, new Vector3(_rng.Float(0.5, 1) * float.MaxValue), Vector3.Zero),
+            "flat" => (new Vector3(i + 0.5f, 0.5f, 0), new Vector3(0.5f, 0.5f, 0), Vector3.Zero),
             _ => throw new ArgumentException("No such kind.", nameof(kind)),
         };
     }

@@ -28,33 +28,10 @@ public class TimeOfImpactLimitTests
             () => new RigidMotion(RigidPose.Identity, new Vector3(float.PositiveInfinity, 0, 0)));
     }
 
-    /// <summary>A support that returns NaN once the shapes are near.</summary>
-    private readonly struct Broken : ISupportMap
-    {
-        public Double3 Center => default;
-        public double Margin => 0;
-        public double BoundingRadius => 2;
-        public int Support(in Double3 d, out Double3 point)
-        {
-            point = new Double3(double.NaN, 0, 0);
-            return -1;
-        }
-
-        public void GetFace(in Double3 direction, ref FaceCorners corners)
-        {
-        }
-
-        public bool TryGetVertex(int id, out Double3 point)
-        {
-            point = default;
-            return false;
-        }
-    }
-
     [Fact]
     public void AShapeThatContradictsItselfIsInvalid()
     {
-        CastResult r = ConvexQuery.TimeOfImpact(default(Broken), Still(default), Cube, Spinning);
+        CastResult r = ConvexQuery.TimeOfImpact(BrokenShape.OfNaN, Still(default), Cube, Spinning);
         Assert.True(r.Status is CastStatus.InvalidShape or CastStatus.InvalidInput, $"{r}");
     }
 

@@ -31,30 +31,6 @@ public class UserShapeTests
         }
     }
 
-    /// <summary>A support function from outside, to be wrong in ways of every kind.</summary>
-    private readonly struct Broken(
-        Func<Double3, Double3> support, double margin = 0, double radius = 2, Double3 center = default) : ISupportMap
-    {
-        public Double3 Center => center;
-        public double Margin => margin;
-        public double BoundingRadius => radius;
-        public int Support(in Double3 d, out Double3 point)
-        {
-            point = support(d);
-            return -1;
-        }
-
-        public void GetFace(in Double3 direction, ref FaceCorners corners)
-        {
-        }
-
-        public bool TryGetVertex(int id, out Double3 point)
-        {
-            point = default;
-            return false;
-        }
-    }
-
     [Fact]
     public void TenLinesMakeAShape()
     {
@@ -87,7 +63,7 @@ public class UserShapeTests
         for (ulong seed = 0; seed < (ulong)Budget.Count(300); seed++)
         {
             var rng = new Rng(seed);
-            var ball = new Broken(d => center + (Vector3)(d * (1 / d.Length)), 0, 1.0001, center);
+            var ball = new BrokenShape(d => center + (Vector3)(d * (1 / d.Length)), 0, 1.0001, center);
             Vector3 away = rng.UnitVector() * rng.Float(2.01, 6);
             DistanceResult r = ConvexQuery.Distance(ball, RigidPose.Identity, ball, new RigidPose(away));
             double truth = ((Double3)away).Length - 2;
@@ -142,7 +118,7 @@ public class UserShapeTests
     [Fact]
     public void ItsExceptionsPassThrough()
     {
-        var shape = new Broken(_ => throw new NotSupportedException("mine"));
+        var shape = new BrokenShape(_ => throw new NotSupportedException("mine"));
         var e = Assert.Throws<NotSupportedException>(
             () => { ConvexQuery.Distance(shape, RigidPose.Identity, new PointShape(), Apart); });
         Assert.Equal("mine", e.Message);
@@ -154,7 +130,7 @@ public class UserShapeTests
         for (ulong i = 0; i < (ulong)Budget.Count(300); i++)
         {
             var rng = new Rng(i);
-            var shape = new Broken(_ => rng.Vector(-1, 1));
+            var shape = new BrokenShape(_ => rng.Vector(-1, 1));
             AssertEnded(
                 $"seed {i}",
                 ConvexQuery.Distance(

@@ -1,3 +1,5 @@
+using Gjk.Core.Tests.BroadPhase;
+
 namespace Gjk.Core.Tests.Regression;
 
 /// <summary>A tree that grew by a few objects at a time was as deep as it had leaves where surfaces say nothing: points
@@ -9,27 +11,20 @@ public class DeepTreeTests
     /// <summary>Objects added between two questions: few enough to be inserted one by one.</summary>
     private const int Step = 30;
 
+    public static TheoryData<string> Kinds => [.. WorstBoxes.Deep];
+
     [Theory]
-    [InlineData("line")]
-    [InlineData("line, backward")]
-    [InlineData("line, anywhere")]
-    [InlineData("one place")]
-    [InlineData("identical")]
-    [InlineData("nested")]
-    [InlineData("nested, inward")]
-    [InlineData("powers of two")]
-    [InlineData("infinite surfaces")]
-    [InlineData("flat")]
+    [MemberData(nameof(Kinds))]
     public void ItIsNeverDeep(string kind)
     {
-        var rng = new Rng(5);
+        var boxes = new WorstBoxes(kind, Objects, 5);
         var phase = new DynamicAabbTree();
         AabbTree tree = phase.Leaves.Tree;
         List<int> ids = [];
         int deepest = 0;
         for (int i = 0; i < Objects; i++)
         {
-            phase.Add(i, Box(kind, i, rng));
+            phase.Add(i, boxes.Box(i));
             if (i % Step != 0) continue;
             phase.CollectInBox(default, ids);
             if (i % (10 * Step) == 0) deepest = Math.Max(deepest, TreeDepth.Of(tree));
@@ -40,7 +35,7 @@ public class DeepTreeTests
         {
             phase.Move(i, new Aabb(new Vector3(-1e6f), new Vector3(-1e6f)));
             if (i % 2 == 0) phase.CollectInBox(default, ids);
-            phase.Move(i, Box(kind, i, rng));
+            phase.Move(i, boxes.Box(i));
             if (i % Step != 0) continue;
             phase.CollectInBox(default, ids);
             if (i % (10 * Step) == 0) deepest = Math.Max(deepest, TreeDepth.Of(tree));
@@ -67,22 +62,5 @@ public class DeepTreeTests
         Assert.InRange(TreeDepth.Of(phase.Leaves.Tree), 30, AabbTree.MaxDepth / 2);
     }
 
-    private static Aabb Box(string kind, int i, Rng rng) => kind switch
-    {
-        "line" => PointAt(i, 0, 0),
-        "line, backward" => PointAt(0, -i, 0),
-        "line, anywhere" => PointAt(0, 0, rng.Float(0, 1)),
-        "one place" => PointAt(1, 1, 1),
-        "identical" => Cube(1),
-        "nested" => Cube(i + 1),
-        "nested, inward" => Cube(Objects - i),
-        "powers of two" => Cube((float)Math.Pow(2, i % 250 - 125)),
-        "infinite surfaces" => Cube(rng.Float(0.5, 1) * float.MaxValue),
-        "flat" => new Aabb(new Vector3(i, 0, 0), new Vector3(i + 1, 1, 0)),
-        _ => throw new ArgumentException("No such kind.", nameof(kind)),
-    };
-
     private static Aabb PointAt(float x, float y, float z) => new(new Vector3(x, y, z), new Vector3(x, y, z));
-
-    private static Aabb Cube(float half) => new(new Vector3(-half), new Vector3(half));
 }

@@ -37,37 +37,12 @@ public class WarmStartContentTests
     [Fact]
     public void AFailedQueryLeavesAColdStart()
     {
-        var broken = new Wild();
+        var broken = BrokenShape.OfNaN;
         WarmStart warm = WithNormal(0, 1);
         DistanceResult r = ConvexQuery.Distance(
             broken, RigidPose.Identity, ConvexShape.Cylinder(0.5f, 1), new RigidPose(new Vector3(3, 0, 0)), ref warm);
         Assert.Equal(GjkStatus.InvalidShape, r.Status);
         Assert.True(MemoryMarshal.AsBytes(new ReadOnlySpan<WarmStart>(ref warm)).IndexOfAnyExcept((byte)0) < 0);
-    }
-
-    private readonly struct Wild : ISupportMap
-    {
-        public Double3 Center => default;
-
-        public double Margin => 0;
-
-        public double BoundingRadius => 1;
-
-        public int Support(in Double3 direction, out Double3 point)
-        {
-            point = new Double3(double.NaN, 0, 0);
-            return -1;
-        }
-
-        public void GetFace(in Double3 direction, ref FaceCorners corners)
-        {
-        }
-
-        public bool TryGetVertex(int id, out Double3 point)
-        {
-            point = default;
-            return false;
-        }
     }
 
     /// <summary>No vertices, and a normal with one component given, as the last twelve bytes hold it.</summary>

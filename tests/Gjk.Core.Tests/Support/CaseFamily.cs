@@ -43,6 +43,20 @@ internal sealed class CaseFamily
     public static CaseFamily Load(string name) =>
         Loaded.GetOrAdd(name, n => new Lazy<CaseFamily>(() => new CaseFamily(n))).Value;
 
+    /// <summary>Fails with the first few of the cases in which something is found wrong.</summary>
+    public static void Each(string family, Func<HardCase, string?> examine)
+    {
+        var failures = new List<string>();
+        foreach (HardCase c in Load(family).Cases)
+        {
+            if (examine(c) is { } problem)
+                failures.Add($"{c.Pair.Name}: {problem}; truth: distance {c.Distance:R}, depth {c.Depth:R}");
+        }
+
+        string worst = string.Join("\n", failures.Take(5));
+        Assert.True(failures.Count == 0, $"{family}: {failures.Count} pairs fail.\n{worst}");
+    }
+
     /// <summary>A scene's shapes and where they are.</summary>
     public static (TestShape Shape, RigidPose Pose)[] Objects(JsonElement scene)
     {
