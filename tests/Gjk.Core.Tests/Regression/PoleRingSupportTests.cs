@@ -60,19 +60,6 @@ public class PoleRingSupportTests
         }
     }
 
-    private static Vector3[] Sphere(int rings, int perRing)
-    {
-        var points = new Vector3[(rings + 1) * (perRing + 1)];
-        for (int j = 0, n = 0; j <= rings; j++)
-        {
-            for (int i = 0; i <= perRing; i++, n++)
-            {
-                double t = Math.PI * j / rings, p = 2 * Math.PI * i / perRing;
-                double x = Math.Sin(t) * Math.Cos(p), z = Math.Sin(t) * Math.Sin(p);
-                points[n] = new Vector3((float)x, (float)Math.Cos(t), (float)z);
-            }
-        }
-
-        return points;
-    }
+    private static Vector3[] Sphere(int rings, int perRing) =>
+        Lathe.Sphere(new Trigonometry(InFloat: false), rings, perRing, seam: true);
 }

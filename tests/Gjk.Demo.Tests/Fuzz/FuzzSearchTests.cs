@@ -10,8 +10,7 @@ namespace Gjk.Demo.Tests.Fuzz;
 /// pairs are shrunk and reported.</summary>
 public sealed class FuzzSearchTests
 {
-    private static readonly ConvexShape Cube = ConvexShape.Mesh(
-        [.. Enumerable.Range(0, 8).Select(i => new Vector3((i & 1) - 0.5f, (i >> 1 & 1) - 0.5f, (i >> 2 & 1) - 0.5f))]);
+    private static readonly ConvexShape Cube = ConvexShape.Mesh(Clouds.Box(new Vector3(-0.5f)));
 
     private static readonly RigidPose Right = new(new Vector3(2, 0.25f, 0.125f));
 

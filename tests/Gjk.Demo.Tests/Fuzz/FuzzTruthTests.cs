@@ -8,10 +8,7 @@ namespace Gjk.Demo.Tests.Fuzz;
 /// error bands that no generous radius widens.</summary>
 public sealed class FuzzTruthTests
 {
-    private static readonly Vector3[] Corners =
-    [
-        .. Enumerable.Range(0, 8).Select(i => new Vector3((i & 1) - 0.5f, (i >> 1 & 1) - 0.5f, (i >> 2 & 1) - 0.5f))
-    ];
+    private static readonly Vector3[] Corners = Clouds.Box(new Vector3(-0.5f));
 
     private static readonly RigidPose Right = new(new Vector3(2, 0.25f, 0.125f));
 

@@ -11,10 +11,10 @@ public sealed class ConvexityTests
     [Fact]
     public void ConvexPartsGetNone()
     {
-        var random = new Random(Seed);
+        var random = new Rng(Seed);
         for (int i = 0; i < 60; i++)
         {
-            Vector3[] cloud = [.. Enumerable.Range(0, 5 + i).Select(_ => Point(random))];
+            Vector3[] cloud = Clouds.InBox(random, 5 + i, Vector3.One);
             ImportedMesh part = HullPart(cloud, new Vector3(i % 3 * 50), i % 2 == 0);
             Assert.True(Convexity.Warning(part) is null, $"seed {Seed}, {i}: {Convexity.Warning(part)}");
         }
@@ -74,9 +74,6 @@ public sealed class ConvexityTests
 
         return ImportedMesh.Weld("hull", corners.ToArray(), [.. Enumerable.Range(0, corners.Count)]);
     }
-
-    private static Vector3 Point(Random random) => new(
-        random.NextSingle() * 2 - 1, random.NextSingle() * 2 - 1, random.NextSingle() * 2 - 1);
 
     private static Vector3[] Box(Vector3 size, Vector3 at) =>
         [.. Enumerable.Range(0, 8).Select(i => at + size * new Vector3(i & 1, i >> 1 & 1, i >> 2))];

@@ -35,7 +35,7 @@ public sealed partial class DamagedFileTests
         string file = directory.File(name);
         File.WriteAllBytes(file, good);
         Assert.NotEmpty(Imported.Of(file).Names);
-        var random = new Random(Seed);
+        var random = new Rng(Seed);
         int told = 0, files = Budget.Whole(Files);
         for (int i = 0; i < files; i++)
         {
@@ -140,18 +140,18 @@ public sealed partial class DamagedFileTests
         RegexOptions.Multiline)]
     private static partial Regex ActiveOwner();
 
-    private static byte[] Damage(byte[] good, Random random)
+    private static byte[] Damage(byte[] good, Rng random)
     {
         byte[] bad = [.. good];
-        for (int k = random.Next(1, 4); k > 0 && bad.Length > 1; k--)
+        for (int k = 1 + random.Below(3); k > 0 && bad.Length > 1; k--)
         {
-            int at = random.Next(bad.Length);
-            bad = random.Next(4) switch
+            int at = random.Below(bad.Length);
+            bad = random.Below(4) switch
             {
-                0 => [.. bad[..at], .. bad[Math.Min(bad.Length, at + random.Next(1, 9))..]],
-                1 => [.. bad[..at], .. bad[random.Next(bad.Length)..]],
-                2 => [.. bad[..at], bad[random.Next(bad.Length)], .. bad[at..]],
-                _ => [.. bad[..at], (byte)random.Next(256), .. bad[(at + 1)..]],
+                0 => [.. bad[..at], .. bad[Math.Min(bad.Length, at + 1 + random.Below(8))..]],
+                1 => [.. bad[..at], .. bad[random.Below(bad.Length)..]],
+                2 => [.. bad[..at], bad[random.Below(bad.Length)], .. bad[at..]],
+                _ => [.. bad[..at], (byte)random.Below(256), .. bad[(at + 1)..]],
             };
         }
 

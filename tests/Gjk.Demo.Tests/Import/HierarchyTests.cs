@@ -17,7 +17,7 @@ public sealed class HierarchyTests
 
     private const string Plane = "{fileID: 10209, guid: " + UnityText.BuiltIn + ", type: 0}";
 
-    private readonly Random _random = new(Seed);
+    private readonly Rng _random = new(Seed);
 
     private bool _isEven;
 
@@ -25,7 +25,7 @@ public sealed class HierarchyTests
     public void ShapesReachAsFarAsTheFullMatrixSays()
     {
         using var directory = new TempDirectory();
-        Vector3[] cloud = [.. Enumerable.Range(0, 12).Select(_ => Vector(1))];
+        Vector3[] cloud = [.. Enumerable.Range(0, 12).Select(_ => _random.Vector(1))];
         var text = new UnityText();
         text.Mesh(77, "cloud", cloud, []);
         var expected = new Dictionary<string, Func<Double3, double>>();
@@ -54,7 +54,7 @@ public sealed class HierarchyTests
             double size = Sides().Max(d => Math.Abs(reach(d)));
             for (int k = 0; k < Directions; k++)
             {
-                Double3 d = Direction();
+                Double3 d = _random.Direction();
                 double difference = Imported.Reach(imported[name], d) - reach(d);
                 Assert.True(
                     Math.Abs(difference) <= Tolerance * size,
@@ -78,7 +78,7 @@ public sealed class HierarchyTests
             (UnityObject middle, world) = Object(text, top, world, false);
             (UnityObject leaf, world) = Object(text, middle, world, false, $"leaf {i}");
             Assert.False(world.IsSkewed);
-            Vector3 center = Vector(2), size = 2 * new Vector3(_random.NextSingle(), 0.5f, _random.NextSingle());
+            Vector3 center = _random.Vector(2), size = 2 * new Vector3(_random.Float(0, 1), 0.5f, _random.Float(0, 1));
             Double3 half = 0.5 * (Double3)size;
             int axis = i % 3;
             if (i % 2 == 0) text.Box(leaf, size, center);
@@ -156,10 +156,10 @@ public sealed class HierarchyTests
     private (UnityObject Object, Matrix World) Object(
         UnityText text, UnityObject? parent, Matrix above, bool isFlat, string name = "node")
     {
-        Vector3 position = Vector(5), scale = new(Factor(), isFlat ? 0 : Factor(), Factor());
+        Vector3 position = _random.Vector(5), scale = new(Factor(), isFlat ? 0 : Factor(), Factor());
         if (_isEven)
             scale = MathF.Abs(scale.X) * new Vector3(Math.Sign(scale.X), Math.Sign(scale.Y), Math.Sign(scale.Z));
-        Quaternion turn = Quaternion.Normalize(new Quaternion(Vector(1), Number(1)));
+        Quaternion turn = _random.Rotation();
         UnityObject added = text.Object(name, parent, position, turn, scale);
         Double3 X(Vector3 axis, float factor) => above.Turn(Turned(turn, axis)) * factor;
         return (added, new Matrix(
@@ -176,17 +176,7 @@ public sealed class HierarchyTests
         return (Double3)v + Double3.Cross(axis, across) * (2 / length);
     }
 
-    private float Number(float largest) => (float)((2 * _random.NextDouble() - 1) * largest);
-
-    private Vector3 Vector(float largest) => new(Number(largest), Number(largest), Number(largest));
-
-    private float Factor() => (_random.Next(4) == 0 ? -1 : 1) * (0.3f + 2.7f * _random.NextSingle());
-
-    private Double3 Direction()
-    {
-        Double3 v = Vector(1);
-        return v * (1 / v.Length);
-    }
+    private float Factor() => (_random.OneIn(4) ? -1 : 1) * _random.Float(0.3, 3);
 
     private static Double3[] Sides() =>
         [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(0, 0, 1), new(0, 0, -1)];

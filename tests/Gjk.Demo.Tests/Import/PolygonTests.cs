@@ -39,7 +39,7 @@ public sealed class PolygonTests
     [InlineData("spiral", 100)]
     public void AnyPlaneIsAsGood(string kind, int size)
     {
-        var random = new Random(size);
+        var random = new Rng((ulong)size);
         for (int seed = 0; seed < 20; seed++)
         {
             Quaternion turn = Quaternion.Normalize(new Quaternion(
@@ -87,7 +87,7 @@ public sealed class PolygonTests
             Assert.Equal(Area(points).Z, Sum(points, triangles).Z, Tolerance);
         }
 
-        var random = new Random(5);
+        var random = new Rng(5);
         Vector3[] many = [.. Enumerable.Range(0, 3000).Select(_ => new Vector3(Next(random), Next(random), 0))];
         Assert.Equal(PolygonFaults.NotSimple, Cut(many, out List<int> all));
         Assert.Equal(Area(many).Z, Sum(many, all).Z, 1e-3);
@@ -203,19 +203,19 @@ public sealed class PolygonTests
 
     private static Vector2[] Outline(string kind, int size, int seed)
     {
-        var random = new Random(seed);
+        var random = new Rng((ulong)seed);
         var points = new List<Vector2>();
         switch (kind)
         {
             case "star":
                 for (int i = 0; i < size; i++)
-                    points.Add(Around((i + 0.5 * random.NextDouble()) / size, 1 + 9 * random.NextDouble()));
+                    points.Add(Around((i + 0.5 * random.Unit()) / size, 1 + 9 * random.Unit()));
                 break;
             case "comb":
                 points.AddRange([new(4 * size, 0), new(4 * size, 3), new(0, 3), new(0, 0)]);
                 for (int i = 0; i < size; i++)
                 {
-                    float height = random.Next(1, 3);
+                    float height = 1 + random.Below(2);
                     points.AddRange(
                         [new(4 * i + 1, 0), new(4 * i + 1, height), new(4 * i + 2, height), new(4 * i + 2, 0)]);
                 }
@@ -224,7 +224,7 @@ public sealed class PolygonTests
             case "spiral":
                 for (int i = 0; i < size; i++) points.Add(Around(i / 24.0, 1 + i / 24.0));
                 for (int i = size - 1; i >= 0; i--)
-                    points.Add(Around(i / 24.0, 1.3 + 0.3 * random.NextDouble() + i / 24.0));
+                    points.Add(Around(i / 24.0, 1.3 + 0.3 * random.Unit() + i / 24.0));
                 points.Reverse();
                 break;
             case "steps":
@@ -252,12 +252,12 @@ public sealed class PolygonTests
                 break;
         }
 
-        int first = random.Next(points.Count);
+        int first = random.Below(points.Count);
         return [.. points.Skip(first), .. points.Take(first)];
     }
 
     private static Vector2 Around(double turns, double radius) =>
         new((float)(radius * Math.Cos(2 * Math.PI * turns)), (float)(radius * Math.Sin(2 * Math.PI * turns)));
 
-    private static float Next(Random random) => 2 * random.NextSingle() - 1;
+    private static float Next(Rng random) => random.Float(-1, 1);
 }

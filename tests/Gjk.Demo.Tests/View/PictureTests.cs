@@ -162,11 +162,11 @@ public sealed class PictureTests
             {"shape":{"type":"box","halfExtents":[0.6,0.6,3]}}
             """;
         List<List<(double X, double Y)>> polygons = Polygons(Draw(Cross));
-        var random = new Random(3);
+        var random = new Rng(3);
         int covered = 0, twice = 0;
         for (int i = 0; i < 20_000; i++)
         {
-            (double x, double y) = (random.NextDouble() * 960, random.NextDouble() * 700);
+            (double x, double y) = (random.Unit() * 960, random.Unit() * 700);
             int count = polygons.Count(p => Contains(p, x, y));
             if (count > 0) covered++;
             if (count > 1) twice++;

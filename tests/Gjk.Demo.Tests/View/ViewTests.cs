@@ -123,11 +123,11 @@ public sealed class ViewTests
     public void LargeScenesKeepWhatIntersectsAndTheNearest()
     {
         using var directory = new TempDirectory();
-        var random = new Random(7);
+        var random = new Rng(7);
         IEnumerable<string> balls = Enumerable.Range(0, 720).Select(_ => string.Create(
             CultureInfo.InvariantCulture,
             $"{{\"shape\":{{\"type\":\"sphere\",\"radius\":0.3}},"
-            + $"\"position\":[{random.NextSingle() * 10},{random.NextSingle() * 10},{random.NextSingle() * 10}]}}"));
+            + $"\"position\":[{random.Float(0, 10)},{random.Float(0, 10)},{random.Float(0, 10)}]}}"));
         string scene = directory.Write("scene.json", $"{{\"version\":1,\"objects\":[{string.Join(',', balls)}]}}");
         DemoRun run = DemoRun.Of("view", scene, "--out", directory.File("a.html"));
         run.AssertDone();

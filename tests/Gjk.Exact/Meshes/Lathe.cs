@@ -13,9 +13,12 @@ public static class Lathe
     public static Vector3[] Sphere(Rng random)
     {
         var t = Trigonometry.Any(random);
-        int rings = Count(random);
-        return Turned(t, Arc(t, rings, 0, rings, 1), Count(random), !random.OneIn(3));
+        return Sphere(t, Count(random), Count(random), !random.OneIn(3));
     }
+
+    /// <inheritdoc cref="Sphere(Rng)"/>
+    public static Vector3[] Sphere(Trigonometry t, int rings, int count, bool seam) =>
+        Turned(t, Arc(t, rings, 0, rings, 1), count, seam);
 
     /// <summary>A sphere drawn out towards one pole.</summary>
     public static Vector3[] Egg(Rng random)
