@@ -84,7 +84,7 @@ public class UserShapeTests
     [MemberData(nameof(Faults))]
     public void ABrokenShapeEndsAndSaysSo(string fault)
     {
-        Broken shape = Make(fault);
+        BrokenShape shape = Make(fault);
         foreach (RigidPose at in new[] { Apart, RigidPose.Identity, new RigidPose(new Vector3(1, 0.25f, 0)) })
         {
             DistanceResult r = ConvexQuery.Distance(shape, RigidPose.Identity, new BoxShape(Vector3.One), at);
@@ -149,7 +149,7 @@ public class UserShapeTests
             $"{fault}: {r.Status} with {r.Distance}, {r.Normal}, {r.PointA}, {r.PointB}");
     }
 
-    private static Broken Make(string fault)
+    private static BrokenShape Make(string fault)
     {
         static Double3 Ball(Double3 d) => d * (1 / d.Length);
         int calls = 0;
