@@ -15,6 +15,9 @@ internal static class ContactsOfParts
     /// <summary>Ratio to the longest side of the parts: a triangle that is less high shows nothing.</summary>
     private const double Flat = 1e-4;
 
+    /// <summary>Ratio of a height to how far away the corners are, 2^-20: float holds no lower triangle there.</summary>
+    private const double FlatThere = 1.0 / (1 << 20);
+
     /// <summary>Ratio to the size and the place: how far a point may be off its part.</summary>
     private const double Beside = 1e-5;
 
@@ -183,7 +186,7 @@ internal static class ContactsOfParts
         Double3[] corners = shape.CornersOf(part)!;
         double longest = Enumerable.Range(0, 3).Max(i => (corners[(i + 1) % 3] - corners[i]).Length);
         double area = Double3.Cross(corners[1] - corners[0], corners[2] - corners[0]).Length;
-        return !(area > Flat * longest * longest);
+        return !(area > longest * Math.Max(Flat * longest, FlatThere * (longest + corners[0].Length)));
     }
 
     /// <summary>Whether a direction is across both parts; across what is no triangle all are.</summary>
