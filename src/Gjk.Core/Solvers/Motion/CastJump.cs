@@ -38,7 +38,8 @@ internal struct CastJump
     /// <summary>Whether the last move was a jump.</summary>
     private bool _isJump;
 
-    /// <summary>Begins at the start, or where the bounding balls begin to overlap.</summary>
+    /// <summary>Begins where the bounding balls begin to overlap; or at the start, if that is later, or may count as
+    /// touching.</summary>
     public static void Make(in CastLine line, double most, out CastJump place)
     {
         place = default;
@@ -91,7 +92,7 @@ internal struct CastJump
         {
             cast.Normal = -normal;
             Left = Along;
-            _safe = Along + ahead;
+            _safe = Math.Max(Along + ahead, -line.HalfChord);
             if (_safe > _end) return End(line, MotionVerdict.Miss, ref cast);
             if (!(_safe > Along))
             {

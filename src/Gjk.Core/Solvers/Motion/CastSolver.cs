@@ -66,7 +66,8 @@ internal static class CastSolver
     {
         cast = default;
         bool mayMeet = CastLine.Make(frame, motion, out CastLine line) != MotionVerdict.Miss;
-        if (!mayMeet || line.FractionAt(-line.HalfChord) > most)
+        CastJump.Make(line, most, out CastJump place);
+        if (!mayMeet || place.FractionOf(line, place.Along) > most)
         {
             cast.Outcome = MotionVerdict.Miss;
             return;
@@ -75,7 +76,6 @@ internal static class CastSolver
         SolverState.Make<TA, TB>(frame, out SolverState state);
 
         // A pair that begins near each other often overlaps or parts, which a distance tells at once.
-        CastJump.Make(line, most, out CastJump place);
         bool isPolytope = CastPortal.AppliesTo<TA, TB>(frame);
         if (place.IsPastStart && isPolytope && TryPortal(ref a, ref b, ref frame, line, most, ref cast, ref state))
             return;

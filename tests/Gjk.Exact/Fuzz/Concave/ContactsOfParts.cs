@@ -13,6 +13,9 @@ internal static class ContactsOfParts
     /// <summary>Ratio to the longest side of the parts: a triangle that is less high shows nothing.</summary>
     private const double Flat = 1e-4;
 
+    /// <summary>Ratio of a height to how far away the corners are, 2^-20: float holds no lower triangle there.</summary>
+    private const double FlatThere = 1.0 / (1 << 20);
+
     /// <summary>Ratio to the size and the place: how far a point may be off its part.</summary>
     private const double Beside = 1e-5;
 
@@ -67,9 +70,11 @@ internal static class ContactsOfParts
         double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
         double size = pair.ScaleOf(a, b) + place;
 
-        // A point of a compound's part over which another part goes on is left to that one.
+        // A point of a compound's part over which another part goes on is left to that one. Along the opposite
+        // direction it is what a neighbour climbs to.
         bool mayLack = IsCompound(pair.RawA) || IsCompound(pair.RawB);
-        bool isElsewhere = !mayLack && Vector3.Cross(normal, manifold.Normal).Length() <= Straight
+        bool isElsewhere = !mayLack && Vector3.Dot(normal, manifold.Normal) > 0
+            && Vector3.Cross(normal, manifold.Normal).Length() <= Straight
             && Math.Abs(one.Result.Distance - part.Distance) > Beside * size;
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
             && (isElsewhere || !IsHeld(pair, i, found, part.Distance, manifold)))
@@ -179,7 +184,7 @@ internal static class ContactsOfParts
         Double3[] corners = shape.CornersOf(part)!;
         double longest = Enumerable.Range(0, 3).Max(i => (corners[(i + 1) % 3] - corners[i]).Length);
         double area = Double3.Cross(corners[1] - corners[0], corners[2] - corners[0]).Length;
-        return !(area > Flat * longest * longest);
+        return !(area > longest * Math.Max(Flat * longest, FlatThere * (longest + corners[0].Length)));
     }
 
     /// <summary>Whether a direction is across both parts; across what is no triangle all are.</summary>

@@ -27,10 +27,13 @@ internal static class SameConcave
         {
             PairDistance found = ConcaveQuery.Distance(
                 pair.A, pair.PoseA, pair.B, pair.PoseB, ref warm, pair.Scratch);
-            if (found.Status != r.Status || found.Distance != r.Distance || found.Result.LowerBound > r.Distance)
+            // Of curved parts the first one asked decides which of two, whose bands overlap, is the nearer.
+            double band = Math.Max(pair.CurvedBandOf(r), pair.CurvedBandOf(found));
+            bool IsSame(float distance) => distance == r.Distance || Math.Abs(distance - r.Distance) < band;
+            if (found.Status != r.Status || !IsSame(found.Distance) || found.Result.LowerBound > r.Distance + band)
                 return Say.Line($"warm {found}, bound {found.Result.LowerBound:R}, cold {r}");
             int index = pair.IndexOf(found.PartA, found.PartB);
-            if (!pair.HoldsPiece && (index < 0 || pair.All[index].Distance != r.Distance))
+            if (!pair.HoldsPiece && (index < 0 || !IsSame(pair.All[index].Distance)))
                 return Say.Line($"warm {found} names parts that are further apart");
         }
 
