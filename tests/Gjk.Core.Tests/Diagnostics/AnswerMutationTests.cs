@@ -1,5 +1,3 @@
-using Gjk.Exact.Certificates;
-
 namespace Gjk.Core.Tests.Diagnostics;
 
 /// <summary>Every field of right answers of every verb is changed to wrong values: none of them is proved. What the
