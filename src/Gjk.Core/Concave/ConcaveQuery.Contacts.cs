@@ -69,6 +69,8 @@ public static partial class ConcaveQuery
         scratch.FaceContacts.Clear();
         scratch.Orphans.Clear();
         scratch.Searched = 0;
+        scratch.AreAnyTouching = false;
+        foreach (PairDistance pair in pairs) scratch.AreAnyTouching |= !(pair.Result.Distance > 0);
         for (int i = 0; i < pairs.Count; i++) SeamContacts.Find(scratch, pairs[i], maxGap, contacts);
         SeamContacts.RemoveCovered(scratch, maxGap, contacts);
         if (scratch.A.MayHoldParts || scratch.B.MayHoldParts) ContactPush.RemoveNeedless(scratch, contacts);

@@ -28,6 +28,9 @@ public sealed class ConcaveScratch
     /// <summary>How many there are; 0 where A is one shape.</summary>
     internal int GroundCount;
 
+    /// <summary>Whether any of the pairs overlaps or touches.</summary>
+    internal bool AreAnyTouching;
+
     /// <summary>How many pairs of parts were searched for what a face meets.</summary>
     internal int Searched;
 

@@ -234,7 +234,7 @@ internal static class ContactPush
         ContactManifold manifold = face.Contact.Manifold;
         RotationD turn = new(mesh.Pose.Rotation);
         Double3 normal = turn.InverseRotate(sign * manifold.Normal), shift = turn.InverseRotate(sign * push);
-        var over = new TriangleColumn(mesh.Mesh!, face.IsOfA ? face.PartA : face.PartB, normal);
+        var over = new TriangleColumn(mesh, face.IsOfA ? face.PartA : face.PartB, normal);
         for (int i = 0; i < manifold.Count; i++)
         {
             Double3 foot = face.IsOfA ? manifold[i].LocalPointA : manifold[i].LocalPointB;

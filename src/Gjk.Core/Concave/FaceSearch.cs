@@ -40,7 +40,7 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
     /// <param name="shapeB">The part of B.</param>
     public void Run(in Double3 normal, ContactFit fitA, ContactFit fitB, in ConvexShape shapeA, in ConvexShape shapeB)
     {
-        bool isMeshA = scratch.A.Mesh is not null, isMeshB = scratch.B.Mesh is not null;
+        bool isMeshA = scratch.A.IsTriangle(_own.PartA), isMeshB = scratch.B.IsTriangle(_own.PartB);
         _isGhost = fitA == ContactFit.Ghost || fitB == ContactFit.Ghost;
         bool isOne = !_isGhost && !(isMeshA && isMeshB);
         if (isMeshA && (!isOne || fitA >= fitB)) Try(true, normal, fitA, shapeA, shapeB);
@@ -200,12 +200,14 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
     }
 
     /// <summary>Takes that along which the other body's tip is the shallowest. Parts that do not overlap are not deeper
-    /// than their gap may be.</summary>
+    /// than their gap may be, and nothing is deep where the bodies are apart.</summary>
     private void Offer(int partA, int partB, in ContactManifold manifold, bool isOfA, double tip)
     {
         PairContacts made = DeepestPoint.Contact(partA, partB, manifold, _own);
-        double least = -2 * _maxGap - ContactCone.Slack * DeepestPoint.PlaceOf(made.Result);
-        if (_own.Result.Distance > 0 && made.Result.Distance < least) return;
+        double behind = -made.Result.Distance - ContactCone.Slack * DeepestPoint.PlaceOf(made.Result);
+        bool isBehind = _own.Result.Distance > 0 && behind > 0;
+        if (isBehind && (behind > 2 * _maxGap || !(scratch.AreAnyTouching || Containment.TryFind(scratch, out _))))
+            return;
         if (_best.IsThere && _bestTip >= tip) return;
         (_best, _bestTip) = (new(made, _own, isOfA), tip);
     }

@@ -112,6 +112,10 @@ internal sealed class PartSide
         return ref room;
     }
 
+    /// <summary>Whether a part is a triangle, of a mesh or among the parts of a compound.</summary>
+    public bool IsTriangle(int part) =>
+        Mesh is not null || (Compound is not null && Compound.Parts[part].Kind == ShapeKind.Triangle);
+
     /// <summary>A part of what is no mesh.</summary>
     public ref readonly ConvexShape Convex(int part)
     {

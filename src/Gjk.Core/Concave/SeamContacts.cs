@@ -218,7 +218,7 @@ internal static class SeamContacts
     {
         if (fit != ContactFit.Ghost || other.Mesh is not null || !(own.Distance > 0)) return false;
         Double3 to = CoveredSides.InWorld(shape.Center, other.Pose) - mesh.Pose.Position;
-        return new TriangleColumn(mesh.Mesh!, triangle, ContactCone.NormalOf(mesh, triangle))
+        return new TriangleColumn(mesh, triangle, ContactCone.NormalOf(mesh, triangle))
             .IsBeside(new RotationD(mesh.Pose.Rotation).InverseRotate(to), Beside * shape.BoundingRadius);
     }
 
@@ -231,7 +231,7 @@ internal static class SeamContacts
     {
         bool isOverlapping = own.Result.Distance < 0;
         PartSide convex = isConvexA ? scratch.A : scratch.B, other = isConvexA ? scratch.B : scratch.A;
-        if (convex.Mesh is not null) return false;
+        if (convex.IsTriangle(own.PartOf(isConvexA))) return false;
         Double3 outward = isConvexA ? normal : -normal;
         RotationD toOther = new(other.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
         int triangle = own.PartOf(!isConvexA);

@@ -190,10 +190,10 @@ internal static class SolidExit
     private static void TryOwnFace(
         ConcaveScratch scratch, PartSide outer, PartSide inner, int part, int first, int end, ref Exit least)
     {
-        if (!inner.IsMesh) return;
+        if (!inner.IsTriangle(part)) return;
         Double3 away = -new RotationD(inner.Pose.Rotation).Rotate(ContactCone.NormalOf(inner, part));
         if (away == default) return;
-        for (int side = inner.HasInside ? 1 : 0; side < 2; side++, away = -away)
+        for (int side = inner.OutwardOf(part) == 0 ? 0 : 1; side < 2; side++, away = -away)
         {
             Exit deepest = default;
             for (int i = first; i < end; i++)

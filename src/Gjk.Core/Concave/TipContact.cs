@@ -39,7 +39,7 @@ internal readonly ref struct TipContact
     private TipContact(PartSide mesh, int triangle, PartSide other, in Double3 face)
     {
         (_mesh, _other, _face) = (mesh, other, face);
-        _column = new TriangleColumn(mesh.Mesh!, triangle, face);
+        _column = new TriangleColumn(mesh, triangle, face);
         (_tip, Gap) = (default, 0);
     }
 

@@ -5,12 +5,12 @@ internal readonly struct TriangleColumn
 {
     private readonly Double3 _a, _b, _c, _face;
 
-    /// <param name="mesh">The surface.</param>
+    /// <param name="side">Of which it is a part.</param>
     /// <param name="triangle">Its number.</param>
     /// <param name="face">Its normal, to either side.</param>
-    public TriangleColumn(TriangleMesh mesh, int triangle, in Double3 face)
+    public TriangleColumn(PartSide side, int triangle, in Double3 face)
     {
-        mesh.GetCorners(triangle, out _a, out _b, out _c);
+        side.GetCorners(triangle, out _a, out _b, out _c);
         _face = Double3.Dot(Double3.Cross(_b - _a, _c - _a), face) < 0 ? -face : face;
     }
 

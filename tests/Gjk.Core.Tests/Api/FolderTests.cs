@@ -74,7 +74,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 164,
         ["BroadPhase"] = 993,
-        ["Concave"] = 3796,
+        ["Concave"] = 3803,
         ["Concave/Trees"] = 641,
         ["Contacts"] = 1011,
         ["Cores"] = 566,
