@@ -79,8 +79,8 @@ internal static class ContactPush
         }
     }
 
-    /// <summary>The contact of a face, named by its pair where the parts at its tip have one that pushes another way:
-    /// of two crossing sheets each pair may show another side.</summary>
+    /// <summary>The contact of a face, named by its pair where the parts at its tip are apart and have a contact that
+    /// pushes another way: of two crossing sheets each pair may show another side.</summary>
     /// <param name="face">The contact, and its pair.</param>
     /// <param name="contacts">With the others.</param>
     /// <param name="own">How many of them are sorted.</param>
@@ -88,7 +88,8 @@ internal static class ContactPush
     {
         PairContacts one = face.Contact;
         int other = contacts.BinarySearch(0, own, one, null);
-        return other >= 0 && AreApart(contacts[other], one) ? face.OfOwnParts : one;
+        bool isOther = other >= 0 && contacts[other].Result.Distance > 0 && AreApart(contacts[other], one);
+        return isOther ? face.OfOwnParts : one;
     }
 
     /// <summary>Keeps the deepest contact of each pair of parts, given sorted contacts.</summary>

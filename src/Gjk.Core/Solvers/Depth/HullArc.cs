@@ -68,7 +68,10 @@ internal struct HullArc
                 next = b.Support(-_normalInB, out Double3 further);
                 this = before;
                 end = left;
-                if (search.AreSpent || !TryShorten(further - onB, ref turn)) return false;
+                if (search.AreSpent || next == _id) return false;
+
+                // Where that corner was the furthest already, the piece is walked with it from its beginning.
+                if (!TryShorten(further - onB, ref turn)) break;
                 turn.Normalize();
                 Go(turn, ref end);
             }

@@ -69,9 +69,11 @@ internal static class ContactsOfParts
         double place = ((Double3)pair.PoseA.Position).Length + ((Double3)pair.PoseB.Position).Length;
         double size = pair.ScaleOf(a, b) + place;
 
-        // A point of a compound's part over which another part goes on is left to that one.
+        // A point of a compound's part over which another part goes on is left to that one. Along the opposite
+        // direction it is what a neighbour climbs to.
         bool mayLack = IsCompound(pair.RawA) || IsCompound(pair.RawB);
-        bool isElsewhere = !mayLack && Vector3.Cross(normal, manifold.Normal).Length() <= Straight
+        bool isElsewhere = !mayLack && Vector3.Dot(normal, manifold.Normal) > 0
+            && Vector3.Cross(normal, manifold.Normal).Length() <= Straight
             && Math.Abs(one.Result.Distance - part.Distance) > Beside * size;
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
             && (isElsewhere || !IsHeld(pair, i, found, part.Distance, manifold)))

@@ -70,11 +70,13 @@ internal static class RaysEnterAndLeave
             : Say.Line($"along {normal} the shape reaches {beyond} beyond its end");
     }
 
-    /// <summary>A ray that leaves or slides from there passes, and has an end.</summary>
+    /// <summary>A ray that leaves or slides from there passes, and has an end. The depth of what is curved, which says
+    /// so, is less sharp than the ray.</summary>
     private static bool IsOnSurface(FuzzPair pair, Vector3 origin)
     {
         DistanceResult r = ConvexQuery.SignedDistance(pair.A, pair.PoseA, origin);
-        return Math.Abs(r.Distance) <= Accuracy.LeastFloat + Accuracy.FlagScale * pair.BodyA.LongestSide;
+        double room = pair.BodyA.IsCurved ? Accuracy.CurvedRatio : Accuracy.FlagScale;
+        return Math.Abs(r.Distance) <= Accuracy.LeastFloat + room * pair.BodyA.LongestSide;
     }
 
     private static string? Missed(FuzzPair pair, Vector3 origin, Vector3 direction)
