@@ -94,12 +94,12 @@ public static partial class ConcaveQuery
         ref PartCastSearch search = ref scratch.CastSearch;
         search.Reset(scratch, motion);
         if (lifted != motion.B.Pose) search.SetLifted(lifted, lift);
-        search.AllCastHits = all;
+        search.CollectedCasts = all;
         bool isAdvanced = motion.Kind == MotionKind.Impact && search.Speed > 0 && !motion.Options.PassesShallow
             && all is null && !sideA.IsEndless && !sideB.IsEndless;
         if (isAdvanced) PartAdvancement.Run(scratch, motion);
         else PartCastSearch.Run(scratch);
-        search.AllCastHits = null;
+        search.CollectedCasts = null;
         if (all is null) SimultaneousHits.KeepSeparating(scratch, motion);
         return search.PartA < 0
             ? new CastHit(CastResult.Nothing(CastStatus.Miss, Math.Max(motion.MaxFraction, 0), 0))

@@ -25,7 +25,7 @@ public static partial class ConcaveQuery
         if (!TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, sides))
             return new RayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
         PartCastSearch.Run(scratch);
-        RayHit found = FirstRayHit(scratch, maxDistance);
+        RayHit found = ToRayHit(scratch, maxDistance);
         bool isUnit = scratch.A.IsUnit, isStart = found.Status == CastStatus.OverlappingAtStart;
         if (scratch.A.HasInside && !options.PassesShallow && !(isUnit && isStart) && BeginsInOrOn(scratch))
         {
@@ -70,7 +70,7 @@ public static partial class ConcaveQuery
         return found;
     }
 
-    private static RayHit FirstRayHit(ConcaveScratch scratch, float maxDistance)
+    private static RayHit ToRayHit(ConcaveScratch scratch, float maxDistance)
     {
         ref readonly PartCastSearch search = ref scratch.CastSearch;
         return search.PartA >= 0
@@ -118,9 +118,9 @@ public static partial class ConcaveQuery
         if (hits is null) return false;
         hits.Clear();
         if (!TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, sides)) return false;
-        scratch.CastSearch.AllRayHits = hits;
+        scratch.CastSearch.CollectedRays = hits;
         PartCastSearch.Run(scratch);
-        scratch.CastSearch.AllRayHits = null;
+        scratch.CastSearch.CollectedRays = null;
         InPlaceSort.Sort(hits);
         return true;
     }

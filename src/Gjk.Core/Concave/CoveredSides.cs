@@ -164,18 +164,10 @@ internal static class CoveredSides
     public static ManifoldPoint Under(
         in ConvexShape own, in RigidPose pose, in Double3 outward, in Double3 tip, Vector3 localTip)
     {
-        double gap = Double3.Dot(outward, tip - Furthest(own, pose, outward));
+        double gap = Double3.Dot(outward, tip - FlushSides.Furthest(own, pose, outward));
         Double3 foot = tip - outward * gap;
         var local = (Vector3)new RotationD(pose.Rotation).InverseRotate(foot - pose.Position);
         return new ManifoldPoint((Vector3)foot, (Vector3)tip, local, localTip, (float)gap, 0);
-    }
-
-    /// <summary>The point of a part that is furthest along a direction, in the world.</summary>
-    public static Double3 Furthest(in ConvexShape own, in RigidPose pose, in Double3 direction)
-    {
-        RotationD turn = new(pose.Rotation);
-        own.Support(turn.InverseRotate(direction), out Double3 most);
-        return turn.Rotate(own.Center + most) + pose.Position + direction * own.Margin;
     }
 
     /// <summary>Whether a part other than the given one holds a point of the world and reaches beyond it.</summary>

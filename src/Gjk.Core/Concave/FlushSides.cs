@@ -134,6 +134,14 @@ internal static class FlushSides
         return shown;
     }
 
+    /// <summary>The point of a part that is furthest along a direction, in the world.</summary>
+    public static Double3 Furthest(in ConvexShape own, in RigidPose pose, in Double3 direction)
+    {
+        RotationD turn = new(pose.Rotation);
+        own.Support(turn.InverseRotate(direction), out Double3 most);
+        return turn.Rotate(own.Center + most) + pose.Position + direction * own.Margin;
+    }
+
     /// <summary>Whether a part ends in a plane.</summary>
     private static bool IsFlush(in ConvexShape own, PartSide side, in OpenPlane plane)
     {
@@ -146,7 +154,7 @@ internal static class FlushSides
             return false;
         }
 
-        Double3 to = CoveredSides.Furthest(own, pose, plane.Normal) - plane.Foot;
+        Double3 to = Furthest(own, pose, plane.Normal) - plane.Foot;
         return Math.Abs(Double3.Dot(to, plane.Normal)) <= CoveredSides.RoomOf(plane.Foot, to, side);
     }
 

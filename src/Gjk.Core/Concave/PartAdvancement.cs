@@ -7,16 +7,10 @@ namespace Gjk.Core;
 /// search looks at the parts that could touch within a short piece of time. Planes that move with the parts prove most
 /// of them apart (<see cref="ConvexQuery.StaysApart"/>). For the others
 /// <see cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
-/// CastOptions)"/>
-/// answers from the whole motion. Deviation: no answer is made here. The pieces only rule parts out, so the result is
-/// that of all pairs in turn. Exactness: a pose at a fraction is rounded to float; <see cref="PoseRounding"/> is added
-/// to every reach. From where no float has a pose, the whole motion is one piece. It ends: after
-/// <see cref="MostSteps"/> pieces and distances the rest of the motion is one piece.
-/// <see cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
-/// CastOptions)"/> answers from the whole motion. Deviation: nothing is answered here. The pieces only say which parts
-/// need not be asked, and so the result is that of all pairs asked in turn. Exactness: a pose at a fraction is rounded
-/// to float; <see cref="PoseRounding"/> is added to every reach; from where no float has a pose the whole motion is one
-/// piece. It ends: after <see cref="MostSteps"/> pieces and distances the rest of the motion is one piece.</remarks>
+/// CastOptions)"/> answers from the whole motion. Deviation: no answer is made here. The pieces only rule parts out, so
+/// the result is that of all pairs in turn. Exactness: a pose at a fraction is rounded to float;
+/// <see cref="PoseRounding"/> is added to every reach. From where no float has a pose, the whole motion is one piece.
+/// It ends: after <see cref="MostSteps"/> pieces and distances the rest of the motion is one piece.</remarks>
 internal static class PartAdvancement
 {
     /// <summary>Ratio to the trees' reach: 2^-6; how far the bodies move in the first piece. It changes the time only,

@@ -7,8 +7,7 @@ namespace Gjk.Core;
 /// the furthest points allow. <see cref="PartAdvancement"/> chooses where it begins. Exactness: parts are cast up to
 /// the float after the least fraction so far, since a later contact may still round to it. Of contacts that are equal
 /// in <see cref="ContactOrder"/> the best feature stays, then the least numbers: the result is that of all pairs in
-/// turn.
-/// <see cref="ContactOrder"/> the best feature stays, then the least numbers: that of all pairs in turn.</remarks>
+/// turn.</remarks>
 internal struct PartCastSearch
 {
     /// <summary>Ratio: 2^-18; more than rounding makes of the products with a fraction. More only costs time.</summary>
@@ -22,17 +21,14 @@ internal struct PartCastSearch
     /// (<see cref="ConvexQuery.CoarsestTolerance"/>). More only costs time, counted by ImpactAgreementTests.</summary>
     private const double MostRoom = 1.0 / (1 << 6);
 
-    /// <summary>Count: a plane is tried after so many parts, and after each doubling. It changes the time
-    /// only.</summary>
+    /// <summary>Count: a plane is tried after so many parts, and after each doubling. A matter of speed.</summary>
     private const int IdleBeforeProof = 16;
 
-    /// <summary>Bits: even powers of two. At these counts a triangle's own plane is tried, else that of the
-    /// distance.</summary>
+    /// <summary>Bits: even powers of two. There a triangle's own plane is tried, else that of the distance.</summary>
     private const int OtherPowers = 0x55555555;
 
-    /// <summary>Ratio to the radii: 2^-40, more than rounding makes of a cast's way. A largest fraction so widened
-    /// excludes no part whose fraction rounds to the same. More only costs time. Pinned by
-    /// SmallBesideLargeTests.</summary>
+    /// <summary>Ratio to the radii: 2^-40, more than rounding makes of a cast's way, so that no part is excluded whose
+    /// fraction rounds to the largest one. More only costs time. Pinned by SmallBesideLargeTests.</summary>
     private const double WayError = 1.0 / (1L << 40);
 
     private PartMotion _motion;
@@ -54,10 +50,10 @@ internal struct PartCastSearch
     public RaySides Sides;
 
     /// <summary>Gets every hit of a ray, where it is not null.</summary>
-    public List<RayHit>? AllRayHits;
+    public List<RayHit>? CollectedRays;
 
     /// <summary>Gets every hit of a cast, where it is not null.</summary>
-    public List<CastHit>? AllCastHits;
+    public List<CastHit>? CollectedCasts;
 
     /// <summary>The first contact of a cast or impact; for a ray see <see cref="Ray"/>.</summary>
     public CastResult Cast;
@@ -71,8 +67,7 @@ internal struct PartCastSearch
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
 
-    /// <summary>How many pairs of parts were cast, and how many pieces and distances of the bodies there
-    /// were.</summary>
+    /// <summary>How many pairs of parts were cast, and how many pieces and distances of the bodies.</summary>
     public int QueryCount, Steps;
 
     /// <summary>World units per fraction: the fastest that any distance closes.</summary>
@@ -228,7 +223,7 @@ internal struct PartCastSearch
 
         // Which contacts are passed depends on the whole way; so does where an impact's steps end.
         bool isImpact = _motion.Kind == MotionKind.Impact;
-        bool isWhole = PartA < 0 || AllCastHits is not null || _motion.Options.PassesShallow || isImpact;
+        bool isWhole = PartA < 0 || CollectedCasts is not null || _motion.Options.PassesShallow || isImpact;
         double error = _motion.Kind == MotionKind.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0;
         double least = _best.Solved + error;
         var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
@@ -237,7 +232,7 @@ internal struct PartCastSearch
             RayCastResult met = ConvexQuery.RayCast(
                 a, _motion.A.Pose, _motion.B.Pose.Position, _motion.B.Velocity, most, _motion.Options, Sides);
             TriangleBack.ApplySides(scratch.A, partA, _motion.B.Velocity, Sides, ref met);
-            if (AllRayHits is not null && met.IsHit) AllRayHits.Add(new RayHit(met, scratch.A.NumberOf(partA)));
+            if (CollectedRays is not null && met.IsHit) CollectedRays.Add(new RayHit(met, scratch.A.NumberOf(partA)));
             else if (met.IsHit && KeepIfFirst(met.Order, MetFeature.None, partA, partB)) Ray = met;
             return;
         }
@@ -248,7 +243,7 @@ internal struct PartCastSearch
         bool isIdle = QueryCount >= IdleBeforeProof && (QueryCount & (QueryCount - 1)) == 0;
         if (isIdle && _motion.Kind == MotionKind.Cast) TrySetPlane(scratch, partA, partB);
         CastResult found = CastShapes(a, b, _motion.B, most, _motion.Options);
-        if (!found.MayHit || (AllCastHits is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
+        if (!found.MayHit || (CollectedCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
         if (_isLifted && !UnionLift.IsOutOf(found, _lifted.Pose, _lift, _wayOfLifted, 1)
             && !CastShapes(a, b, _lifted, most, _liftedOptions).MayHit) return;
         MetFeature feature = MetFeature.None;
@@ -259,8 +254,8 @@ internal struct PartCastSearch
                 PartAdvancement.PoseAt(_motion.B, found.Fraction), found.Normal);
         }
 
-        if (AllCastHits is not null)
-            AllCastHits.Add(new CastHit(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
+        if (CollectedCasts is not null)
+            CollectedCasts.Add(new CastHit(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
         else KeepMet(scratch, new CastHit(found, partA, partB, feature));
     }
 

@@ -5,7 +5,6 @@ namespace Gjk.Core;
 /// <param name="objects">The objects.</param>
 /// <param name="pairs">The pairs, sorted.</param>
 /// <param name="answers">Gets the answers. With a gap, a pair is near unless its answer is
-/// <see cref="GjkStatus.BeyondMaxDistance"/>.
 /// <see cref="GjkStatus.BeyondMaxDistance"/>.</param>
 /// <param name="maxGap">World units; 0 decides which pairs overlap.</param>
 /// <param name="includesConcave">Whether pairs that are not convex are decided, too.</param>
