@@ -72,7 +72,7 @@ public class BuildCostOnMonoTests
         ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
         ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
         ("TouchLine.*", Contact),
-        ("DeepestPoint.*", Contact), ("TriangleBack.IsBack", Answer),
+        ("DeepestPoint.*", Contact),
         ("AxialDepth.*", State), ("CornerDepth.*", Way), ("CylinderDepth.*", Way), ("PairForm.*", Way),
         ("BoxDepth.Solve", State), ("BoxDepthPoints.Find", "once, for the ends of the way that was found"),
         ("DepthBounds.StoreWithPoints", "where B is beyond the way out, once for each depth"),
