@@ -15,7 +15,7 @@ internal static class ContactsOfParts
     /// <summary>Ratio to the longest side of the parts: a triangle that is less high shows nothing.</summary>
     private const double Flat = 1e-4;
 
-    /// <summary>Ratio of a height to how far away the corners are, 2^-20: float holds no lower triangle there.</summary>
+    /// <summary>Ratio of a height to the place, 2^-20: float holds no lower triangle there.</summary>
     private const double FlatThere = 1.0 / (1 << 20);
 
     /// <summary>Ratio to the size and the place: how far a point may be off its part.</summary>
