@@ -143,6 +143,7 @@ internal static class SolidExit
         List<PairDistance> pairs = scratch.Pairs;
         Double3 middle = inner.CenterOf(part);
         bool isInside = Containment.Holds(scratch, outer, middle);
+        bool isBefore = false;
         Exit deepest = default, least = default;
         for (int i = first; i < end; i++)
         {
@@ -152,10 +153,13 @@ internal static class SolidExit
             if (!isInside && -depth.Distance > deepest.Depth && Double3.Dot(depth.Normal, outward) > Outward)
                 deepest = new Exit(-depth.Distance, depth.Normal, depth.PointA, triangle, part);
             double lift = Double3.Dot(outward, corner) + Reach(inner, part, -outward, isWhole: false);
+            isBefore |= !(lift > 0);
             KeepLess(new Exit(lift, outward, pairs[i].Result.PointA, triangle, part), ref least);
         }
 
+        // What only touches a face and is before it as a whole is not in what that face bounds.
         if (deepest.Depth > 0) return deepest;
+        if (isBefore && !isInside) return default;
         if (isInside) KeepNearestFace(scratch, outer, inner, part, middle, isWhole: false, ref least);
         KeepOwnFace(scratch, outer, inner, part, first, end, ref least);
         return least;

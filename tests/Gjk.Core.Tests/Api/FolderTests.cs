@@ -74,7 +74,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 164,
         ["BroadPhase"] = 993,
-        ["Concave"] = 3798,
+        ["Concave"] = 3801,
         ["Concave/Trees"] = 635,
         ["Contacts"] = 1011,
         ["Cores"] = 566,

@@ -70,6 +70,29 @@ public class ClosedMeshOnCompoundTests
         }
     }
 
+    /// <summary>What touches a wall at the start, and stands on a floor or in it, is stopped by the wall: the way out
+    /// of the wall's solid is not over its top.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(0.9995f)]
+    public void AWallThatIsTouchedStopsWhatStandsBesideIt(float height)
+    {
+        AnyShape stair = AnyShape.Of(new CompoundShape(
+        [
+            new(AnyShape.Solid(ConcaveShapes.Box(new Vector3(2, 6, 4))), new RigidPose(new Vector3(-2, -6, 0))),
+            new(AnyShape.Solid(ConcaveShapes.Box(new Vector3(1, 6, 4))), new RigidPose(new Vector3(1, -5.25f, 0))),
+        ]));
+        ConvexShape[] bodies = [ConvexShape.Capsule(0.4f, 0.6f), ConvexShape.Box(new Vector3(0.4f, 1, 0.4f))];
+        foreach (ConvexShape body in bodies)
+        {
+            var at = new RigidPose(new Vector3(-0.4f, height, -0.83f));
+            CastHit hit = ConcaveQuery.Cast(
+                stair, s_here, default, AnyShape.Of(body), at, new Vector3(0.0445f, 0, 0.0228f), _scratch, 1,
+                CastOptions.OnlyDeeper(1e-3f));
+            Assert.True(hit.IsHit && hit.Result.Normal.X < -0.999f, $"{body}: {hit}");
+        }
+    }
+
     private static AnyShape Floor(string name)
     {
         var at = new RigidPose(new Vector3(-2, 0, -2));
