@@ -41,7 +41,7 @@ public readonly struct CastHit : IComparable<CastHit>
     public bool IsHit => Result.IsHit;
 
     /// <summary>The same with an object of a scene.</summary>
-    internal CastHit Of(int id) => new(Result, PartA, PartB, Feature, id);
+    internal CastHit WithId(int id) => new(Result, PartA, PartB, Feature, id);
 
     /// <summary>By the fraction as it was solved; at the start the deepest first; where several are met at once, a face
     /// before an edge before a corner; then by the object, the part of A and that of B.</summary>

@@ -14,7 +14,7 @@ public sealed partial class CompoundShape
         (_firsts, _poses, Numbers) = ([0, numbers.Length], [RigidPose.Identity], numbers);
         _parts = Array.ConvertAll(numbers, i => whole._parts[i]);
         Boxes = Array.ConvertAll(numbers, i => whole.Boxes[i]);
-        Tree = TreeLike(like);
+        Tree = BuildTree(like);
         Insides = inside is null ? [] : [new SolidInside(inside, 0, RigidPose.Identity, s_unscaled)];
         Units = inside is null ? [] : [this];
     }

@@ -37,7 +37,7 @@ public sealed partial class CompoundShape : IPartSource
     /// <exception cref="ArgumentException">The list is empty, or holds a <c>default</c> struct.</exception>
     public CompoundShape(IReadOnlyList<CompoundPart> parts)
     {
-        CompoundPart[] children = Copy(Guard.NotNull(parts, nameof(parts)));
+        CompoundPart[] children = CopyChildren(Guard.NotNull(parts, nameof(parts)));
         _poses = Array.ConvertAll(children, child => child.Pose);
         _firsts = new int[children.Length + 1];
         for (int i = 0; i < children.Length; i++) _firsts[i + 1] = _firsts[i] + children[i].Shape.PartCount;
@@ -46,7 +46,7 @@ public sealed partial class CompoundShape : IPartSource
             for (int part = _firsts[i]; part < _firsts[i + 1]; part++)
                 _parts[part] = children[i].Shape.PartAt(part - _firsts[i]).Placed(_poses[i]);
         Boxes = Array.ConvertAll(_parts, BoxOf);
-        Tree = TreeLike(null);
+        Tree = BuildTree(null);
         Insides = InsidesOf(children);
         Units = MakeUnits(null);
     }
@@ -66,7 +66,7 @@ public sealed partial class CompoundShape : IPartSource
             }
         }
 
-        Tree = TreeLike(like.Tree);
+        Tree = BuildTree(like.Tree);
         Insides = Array.ConvertAll(like.Insides, inside => inside.Moved(poses[GetChild(inside.First, out _)]));
         Units = MakeUnits(like);
     }
@@ -77,7 +77,7 @@ public sealed partial class CompoundShape : IPartSource
         (_firsts, _poses, _unscaled, _scale) = (unscaled._firsts, unscaled._poses, unscaled, scale);
         _parts = Array.ConvertAll(unscaled._parts, part => part.Scaled(scale));
         Boxes = Array.ConvertAll(_parts, BoxOf);
-        Tree = TreeLike(like?.Tree);
+        Tree = BuildTree(like?.Tree);
         Insides = Array.ConvertAll(
             unscaled.Insides, inside => new SolidInside(inside, inside.First, RigidPose.Identity, scale));
         Units = MakeUnits(like);
@@ -92,7 +92,7 @@ public sealed partial class CompoundShape : IPartSource
     /// <summary>A part, placed in the compound's frame.</summary>
     /// <param name="index">From 0 to <see cref="PartCount"/> - 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such part.</exception>
-    public ConvexShape GetPart(int index) => _parts[Checked(index, _parts.Length, nameof(index))];
+    public ConvexShape GetPart(int index) => _parts[CheckIndex(index, _parts.Length, nameof(index))];
 
     /// <summary>The child that a part is of.</summary>
     /// <param name="part">From 0 to <see cref="PartCount"/> - 1, as results name it.</param>
@@ -102,7 +102,7 @@ public sealed partial class CompoundShape : IPartSource
     /// <exception cref="ArgumentOutOfRangeException">There is no such part.</exception>
     public int GetChild(int part, out int partOfChild)
     {
-        int found = Array.BinarySearch(_firsts, Checked(part, _parts.Length, nameof(part)));
+        int found = Array.BinarySearch(_firsts, CheckIndex(part, _parts.Length, nameof(part)));
         int child = found < 0 ? ~found - 1 : found;
         partOfChild = part - _firsts[child];
         return child;
@@ -111,7 +111,7 @@ public sealed partial class CompoundShape : IPartSource
     /// <summary>Where a child is in the compound's frame, before its <see cref="Scaled"/>.</summary>
     /// <param name="child">From 0 to <see cref="ChildCount"/> - 1, as given.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such child.</exception>
-    public RigidPose GetPose(int child) => _poses[Checked(child, _poses.Length, nameof(child))];
+    public RigidPose GetPose(int child) => _poses[CheckIndex(child, _poses.Length, nameof(child))];
 
     /// <summary>The same compound with a child elsewhere; <see cref="WithPoses"/> moves several at once.</summary>
     /// <param name="child">From 0 to <see cref="ChildCount"/> - 1, as given.</param>
@@ -121,7 +121,7 @@ public sealed partial class CompoundShape : IPartSource
     /// struct.</exception>
     public CompoundShape WithPose(int child, in RigidPose pose)
     {
-        Checked(child, _poses.Length, nameof(child));
+        CheckIndex(child, _poses.Length, nameof(child));
         var poses = (RigidPose[])_poses.Clone();
         poses[child] = Guard.Pose(pose, nameof(pose));
         return Moved(poses);
@@ -169,7 +169,7 @@ public sealed partial class CompoundShape : IPartSource
         max = shape.Center + max + all;
     }
 
-    private PartTree TreeLike(PartTree? like) => like is null
+    private PartTree BuildTree(PartTree? like) => like is null
         ? PartTreeBuilder.Build(this, leafSize: 1, mostInLeaf: 1)
         : PartTreeRefit.Fit(this, like);
 
@@ -183,7 +183,7 @@ public sealed partial class CompoundShape : IPartSource
         return (min, max);
     }
 
-    private static CompoundPart[] Copy(IReadOnlyList<CompoundPart> parts)
+    private static CompoundPart[] CopyChildren(IReadOnlyList<CompoundPart> parts)
     {
         var copy = new CompoundPart[Math.Max(parts.Count, 0)];
         if (copy.Length == 0) throw new ArgumentException("At least one part is needed.", nameof(parts));
@@ -197,7 +197,7 @@ public sealed partial class CompoundShape : IPartSource
         return copy;
     }
 
-    private static int Checked(int index, int count, string name) => (uint)index < (uint)count
+    private static int CheckIndex(int index, int count, string name) => (uint)index < (uint)count
         ? index
         : throw new ArgumentOutOfRangeException(name, index, $"There are {count}, counted from 0.");
 

@@ -38,7 +38,7 @@ public static partial class ConcaveQuery
         if (!isValid || !TrySetSides(a, poseA, b, poseB, scratch)) return InvalidCast;
         var motionA = new RigidMotion(poseA, translationA);
         var motionB = new RigidMotion(poseB, translationB);
-        return Move(scratch, new PartMotion(MotionKind.Cast, motionA, motionB, maxFraction, 0, options));
+        return CastMotion(scratch, new PartMotion(MotionKind.Cast, motionA, motionB, maxFraction, 0, options));
     }
 
     /// <summary>When two shapes that move and turn at constant rates first touch, to within a tolerance.</summary>
@@ -67,39 +67,40 @@ public static partial class ConcaveQuery
 
         bool isValid = motionA.IsValid && motionB.IsValid && !float.IsNaN(tolerance);
         if (!isValid || !TrySetSides(a, motionA.Pose, b, motionB.Pose, scratch)) return InvalidCast;
-        return Move(scratch, new PartMotion(MotionKind.Impact, motionA, motionB, maxFraction, tolerance, options));
+        var motion = new PartMotion(MotionKind.Impact, motionA, motionB, maxFraction, tolerance, options);
+        return CastMotion(scratch, motion);
     }
 
     private static CastHit InvalidCast => new(CastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
 
-    private static CastHit Move(ConcaveScratch scratch, in PartMotion motion, List<CastHit>? all = null)
+    private static CastHit CastMotion(ConcaveScratch scratch, in PartMotion motion, List<CastHit>? all = null)
     {
         if (float.IsNaN(motion.MaxFraction)) return InvalidCast;
-        if (motion.Options.PassesShallow) return MoveInUnion(scratch, motion, all);
-        CastHit first = First(scratch, motion, motion.B.Pose, default, all);
+        if (motion.Options.PassesShallow) return CastInUnion(scratch, motion, all);
+        CastHit first = FirstContact(scratch, motion, motion.B.Pose, default, all);
         if (all is not null) return default;
         bool isAtStart = first.Status == CastStatus.OverlappingAtStart;
         if (!scratch.A.HasInside && !scratch.B.HasInside) return first;
-        if (!isAtStart && TryInside(scratch, motion, first.Result, out CastHit inside)) first = inside;
+        if (!isAtStart && TryFindInside(scratch, motion, first.Result, out CastHit inside)) first = inside;
         bool isIn = first.Status == CastStatus.OverlappingAtStart;
         return isIn && SolidExit.TryFind(scratch, out CastHit way) ? way : first;
     }
 
-    /// <summary>The first contact of parts that counts, also from where B is lifted to.</summary>
-    private static CastHit First(
+    /// <summary>The first contact of parts that counts, also with B at the pose that it is lifted to.</summary>
+    private static CastHit FirstContact(
         ConcaveScratch scratch, in PartMotion motion, in RigidPose lifted, in Double3 lift, List<CastHit>? all)
     {
         PartSide sideA = scratch.A, sideB = scratch.B;
         ref PartCastSearch search = ref scratch.CastSearch;
         search.Reset(scratch, motion);
-        if (lifted != motion.B.Pose) search.Lift(lifted, lift);
-        search.AllCasts = all;
+        if (lifted != motion.B.Pose) search.SetLifted(lifted, lift);
+        search.CollectedCasts = all;
         bool isAdvanced = motion.Kind == MotionKind.Impact && search.Speed > 0 && !motion.Options.PassesShallow
             && all is null && !sideA.IsEndless && !sideB.IsEndless;
         if (isAdvanced) PartAdvancement.Run(scratch, motion);
         else PartCastSearch.Run(scratch);
-        search.AllCasts = null;
-        if (all is null) MetTogether.Settle(scratch, motion);
+        search.CollectedCasts = null;
+        if (all is null) SimultaneousHits.KeepSeparating(scratch, motion);
         return search.PartA < 0
             ? new CastHit(CastResult.Nothing(CastStatus.Miss, Math.Max(motion.MaxFraction, 0), 0))
             : new CastHit(search.Cast, sideA.NumberOf(search.PartA), sideB.NumberOf(search.PartB), search.Feature);
@@ -133,7 +134,7 @@ public static partial class ConcaveQuery
         {
             var motionA = new RigidMotion(poseA, translationA);
             var motionB = new RigidMotion(poseB, translationB);
-            Move(scratch, new PartMotion(MotionKind.Cast, motionA, motionB, maxFraction, 0, options), hits);
+            CastMotion(scratch, new PartMotion(MotionKind.Cast, motionA, motionB, maxFraction, 0, options), hits);
         }
 
         InPlaceSort.Sort(hits);
@@ -147,8 +148,9 @@ public static partial class ConcaveQuery
         return true;
     }
 
-    /// <summary>What an inside makes of a motion whose parts do not overlap at the start.</summary>
-    private static bool TryInside(
+    /// <summary>The hit of a motion that begins in a solid, or enters one, while no parts overlap at the
+    /// start.</summary>
+    private static bool TryFindInside(
         ConcaveScratch scratch, in PartMotion motion, in CastResult found, out CastHit inside)
     {
         PartPairSearch.Run(scratch, 0);
@@ -163,8 +165,8 @@ public static partial class ConcaveQuery
             return true;
         }
 
-        // Between the touch and the next contact no surface is crossed: a piece is inside all along, or never. What
-        // has edges in a surface may be on both sides of it.
+        // No surface is crossed between the touch and the next contact, so a piece is inside all along, or never. A
+        // piece with edges in a surface may be on both sides of it.
         if (!found.IsHit && found.Status != CastStatus.Miss) return false;
         PartPairSearch touch = scratch.Search;
         Double3 moved = motion.Way * (0.5 * found.Fraction);

@@ -53,39 +53,42 @@ public static partial class ConcaveQuery
         if (!FindPairsWithin(a, poseA, b, poseB, maxGap, scratch, pairs)) return false;
         if (scratch.A.IsEndless || scratch.B.IsEndless)
         {
-            foreach (PairDistance pair in pairs) AddOfHalfSpace(scratch, pair, maxGap, contacts);
+            foreach (PairDistance pair in pairs) AddHalfSpaceContact(scratch, pair, maxGap, contacts);
             return true;
         }
 
-        FindOfPairs(scratch, maxGap, contacts);
+        FindPairContacts(scratch, maxGap, contacts);
         return true;
     }
 
-    /// <summary>The contacts of pairs that are found: of two shapes, or of a body and the static objects that it
-    /// touches, which count as one.</summary>
-    internal static void FindOfPairs(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
+    /// <summary>Finds the contacts of the scratch's pairs: those of two shapes, or of a body and the static objects
+    /// that it touches, which count as one.</summary>
+    internal static void FindPairContacts(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
         List<PairDistance> pairs = scratch.Pairs;
         scratch.FaceContacts.Clear();
         scratch.Orphans.Clear();
         scratch.Searched = 0;
+        scratch.AreAnyTouching = false;
+        foreach (PairDistance pair in pairs) scratch.AreAnyTouching |= !(pair.Result.Distance > 0);
         for (int i = 0; i < pairs.Count; i++) SeamContacts.Find(scratch, pairs[i], maxGap, contacts);
         SeamContacts.RemoveCovered(scratch, maxGap, contacts);
         if (scratch.A.MayHoldParts || scratch.B.MayHoldParts) ContactPush.RemoveNeedless(scratch, contacts);
         ContactPush.AddNeeded(scratch, contacts);
-        TouchLine.KeepOn(scratch, contacts);
+        TouchLine.RemoveBeside(scratch, contacts);
     }
 
-    /// <summary>A half-space pushes every part along its normal, so no seam shows.</summary>
-    private static void AddOfHalfSpace(
+    /// <summary>Adds a pair's contact with a half-space. That pushes every part along its normal, so no seam
+    /// shows.</summary>
+    private static void AddHalfSpaceContact(
         ConcaveScratch scratch, in PairDistance pair, float maxGap, List<PairContacts> contacts)
     {
         ConvexShape roomA = default, roomB = default;
         DistanceResult found = ConvexQuery.Contacts(
-            scratch.A.Part(pair.PartA, ref roomA), scratch.A.Pose, scratch.B.Part(pair.PartB, ref roomB),
+            scratch.A.ShapeOf(pair.PartA, ref roomA), scratch.A.Pose, scratch.B.ShapeOf(pair.PartB, ref roomB),
             scratch.B.Pose, maxGap, out ContactManifold manifold);
         if (manifold.Count == 0) return;
-        DeepestPoint.Lead(ref manifold);
+        DeepestPoint.MoveToFront(ref manifold);
         contacts.Add(new PairContacts(pair.PartA, pair.PartB, found, manifold));
     }
 }

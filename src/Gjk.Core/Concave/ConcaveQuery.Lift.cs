@@ -1,32 +1,33 @@
 namespace Gjk.Core;
 
-// Casts that pass shallow contacts, of bodies that are in the union of parts: see UnionLift.
+// Casts that pass shallow contacts, of bodies that begin in a union of parts: see UnionLift.
 public static partial class ConcaveQuery
 {
-    /// <summary>Ratio to the smaller body's radius: 2^-8; so much deeper than is allowed a body is in another for
-    /// certain, and not through it yet. Pinned by FlushSolidTests.</summary>
+    /// <summary>Ratio to the smaller body's radius: 2^-8. A body that is deeper in another by so much than is allowed
+    /// is in it for certain, and not through it yet. Pinned by FlushSolidTests.</summary>
     private const double JustInside = 1.0 / (1 << 8);
 
-    /// <summary>A motion that passes shallow contacts.</summary>
-    private static CastHit MoveInUnion(ConcaveScratch scratch, in PartMotion motion, List<CastHit>? all)
+    /// <summary>Casts a motion that passes shallow contacts.</summary>
+    private static CastHit CastInUnion(ConcaveScratch scratch, in PartMotion motion, List<CastHit>? all)
     {
         var union = new PartsCast(scratch, motion);
         UnionLift.TryLift(ref union, motion.Options, out RigidPose lifted, out Double3 lift);
-        CastHit first = First(scratch, motion, lifted, lift, all);
+        CastHit first = FirstContact(scratch, motion, lifted, lift, all);
         if (all is not null) return default;
         double touch = motion.Kind == MotionKind.Impact ? scratch.CastSearch.TouchRoom : 0;
-        CastHit found = UnionLift.OfUnion(ref union, motion.Options, lifted, touch, first);
+        CastHit found = UnionLift.FirstOfUnion(ref union, motion.Options, lifted, touch, first);
         PartSide sideA = scratch.A, sideB = scratch.B;
         bool mayEnter = (sideA.HasInside || sideB.HasInside) && sideA.PartCount > 1 && sideB.PartCount > 1;
         return mayEnter && Enters(scratch, ref union, motion, found, out CastHit met) ? met : found;
     }
 
-    /// <summary>A face that meets one of a solid flush passes it, triangle by triangle, and gets no deeper in any: what
-    /// tells is the inside that it is in thereafter.</summary>
+    /// <summary>Whether the body enters a solid by a face that meets one of the solid's flush. It passes that face
+    /// triangle by triangle, and gets no deeper in any of them. So a look into the solid, just after the touch,
+    /// decides.</summary>
     private static bool Enters(
         ConcaveScratch scratch, ref PartsCast union, in PartMotion motion, in CastHit found, out CastHit met)
     {
-        met = union.After(0, motion.B.Pose, default);
+        met = union.CastFrom(0, motion.B.Pose, default);
         float at = met.Result.Fraction, left = found.Result.Fraction - at;
         double rate = Math.Abs(Double3.Dot(met.Result.Normal, motion.Way)), allowed = motion.Options.AllowedDepth;
         bool mayBe = met.Status == CastStatus.Hit && (found.IsHit || found.Status == CastStatus.Miss);
@@ -35,7 +36,7 @@ public static partial class ConcaveQuery
         left = (float)Math.Min(left, 2 * look / rate);
         scratch.A.Pose = PartAdvancement.PoseAt(motion.A, at);
         scratch.B.Pose = PartAdvancement.PoseAt(motion.B, at);
-        bool enters = TryInside(scratch, motion, CastResult.Nothing(CastStatus.Miss, left, 0), out _);
+        bool enters = TryFindInside(scratch, motion, CastResult.Nothing(CastStatus.Miss, left, 0), out _);
         (scratch.A.Pose, scratch.B.Pose) = (motion.A.Pose, motion.B.Pose);
         return enters;
     }
@@ -55,23 +56,25 @@ public static partial class ConcaveQuery
         public readonly Double3 WayAt(in Double3 point, float fraction) =>
             _motion.B.VelocityOf(point, fraction) - _motion.A.VelocityOf(point, fraction);
 
-        public readonly CastResult Along(in RigidPose pose, Vector3 way)
+        public readonly CastResult CastAlong(in RigidPose pose, Vector3 way)
         {
             scratch.B.Pose = pose;
             var still = new RigidMotion(_motion.A.Pose, Vector3.Zero);
             bool isStill = way == Vector3.Zero;
-            CastHit start = Move(scratch, new PartMotion(
+            CastHit start = CastMotion(scratch, new PartMotion(
                 MotionKind.Cast, still, new RigidMotion(pose, way), isStill ? 0 : 1, 0, default));
-            CastResult found = isStill ? ShorterWay(scratch, start) : start.Result;
+            CastResult found = isStill ? ShorterExit(scratch, start) : start.Result;
             scratch.B.Pose = _motion.B.Pose;
             return found;
         }
 
-        public readonly CastHit After(float fraction, in RigidPose pose, in CastOptions options)
+        public readonly CastHit CastFrom(float fraction, in RigidPose pose, in CastOptions options)
         {
-            PartMotion rest = _motion.After(fraction, pose, options);
+            PartMotion rest = _motion.RestFrom(fraction, pose, options);
             (scratch.A.Pose, scratch.B.Pose) = (rest.A.Pose, rest.B.Pose);
-            CastHit found = options.PassesShallow ? First(scratch, rest, pose, default, null) : Move(scratch, rest);
+            CastHit found = options.PassesShallow
+                ? FirstContact(scratch, rest, pose, default, null)
+                : CastMotion(scratch, rest);
             (scratch.A.Pose, scratch.B.Pose) = (_motion.A.Pose, _motion.B.Pose);
             return found;
         }
@@ -80,17 +83,17 @@ public static partial class ConcaveQuery
         {
             ConvexShape roomA = default, roomB = default;
             return MetFeatures.AnyIsFace(
-                scratch.A.Part(hit.PartA, ref roomA), PartAdvancement.PoseAt(_motion.A, hit.Fraction),
-                scratch.B.Part(hit.PartB, ref roomB), PoseAt(hit.Fraction), hit.Result.Normal);
+                scratch.A.ShapeOf(hit.PartA, ref roomA), PartAdvancement.PoseAt(_motion.A, hit.Fraction),
+                scratch.B.ShapeOf(hit.PartB, ref roomB), PoseAt(hit.Fraction), hit.Result.Normal);
         }
     }
 
     /// <summary>The way out of the two parts that overlap deepest, where it is shorter than the one over a solid's
-    /// outside: a solid that stands in a floor rises out of it, though its walls, which are all that the floor touches,
-    /// look aside. A way that leads into a solid is followed by the one out of that. Of two solids the way over the
-    /// outside is the shorter one already, and what is inside without touching is behind the parts. Of a compound the
-    /// deepest pair of solids and others counts.</summary>
-    private static CastResult ShorterWay(ConcaveScratch scratch, in CastHit start)
+    /// outside. A solid that stands in a floor rises out of it, though the floor touches only its walls, which look
+    /// aside. A way that leads into a solid is followed by the way out of that. Of two solids, the way over the outside
+    /// is the shorter one already, and what is inside without touching is behind the parts. Of a compound, the deepest
+    /// pair of units counts.</summary>
+    private static CastResult ShorterExit(ConcaveScratch scratch, in CastHit start)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
         PartSide a = scratch.A, b = scratch.B;
@@ -99,25 +102,25 @@ public static partial class ConcaveQuery
         bool isOfParts = search.PartA >= 0 && search.Cast.Status == CastStatus.OverlappingAtStart
             && search.Cast.Depth < start.Result.Depth;
         CastHit way = isOfParts ? new CastHit(search.Cast, search.PartA, search.PartB) : start;
-        if (a.IsSolid) return OffSheet(scratch, a, way.PartA, b, way.PartB, way.Result);
+        if (a.IsSolid) return ExitOfSheet(scratch, a, way.PartA, b, way.PartB, way.Result);
         if (!b.IsSolid) return way.Result;
-        return OffSheet(scratch, b, way.PartB, a, way.PartA, way.Result.Swapped).Swapped;
+        return ExitOfSheet(scratch, b, way.PartB, a, way.PartA, way.Result.Swapped).Swapped;
     }
 
-    /// <summary>The way that takes a solid off the face of an open surface, with all of it that hangs together with a
-    /// triangle, to the nearer side. What is behind the surface as a whole would meet it again.</summary>
-    /// <param name="scratch">Of which another one is rented.</param>
+    /// <summary>The way that takes a solid off the face of an open surface, with all of it that is connected to a
+    /// triangle, to the nearer side. What lies wholly behind the surface would meet it again.</summary>
+    /// <param name="scratch">Memory; another scratch is rented from it.</param>
     /// <param name="solid">A.</param>
-    /// <param name="triangle">Of the solid.</param>
-    /// <param name="sheet">B; other things are left by the own way.</param>
-    /// <param name="part">Of the surface.</param>
+    /// <param name="triangle">A triangle of the solid.</param>
+    /// <param name="sheet">B. If it is no surface, the own way stays.</param>
+    /// <param name="part">A triangle of the surface.</param>
     /// <param name="own">The way out of these two.</param>
-    private static CastResult OffSheet(
+    private static CastResult ExitOfSheet(
         ConcaveScratch scratch, PartSide solid, int triangle, PartSide sheet, int part, in CastResult own)
     {
         CastResult best = own;
         if (sheet.Mesh is null || triangle < 0 || part < 0) return best;
-        Double3 face = new RotationD(sheet.Pose.Rotation).Rotate(ContactCone.NormalOf(sheet, part));
+        Double3 face = sheet.ToWorldDirection(ContactCone.NormalOf(sheet, part));
         if (face.LengthSquared == 0) face = own.Normal;
         RotationD turn = new(solid.Pose.Rotation);
         float least = float.PositiveInfinity;
@@ -125,7 +128,7 @@ public static partial class ConcaveQuery
         for (int i = 0; i < 2; i++, face = -face)
         {
             if (!MeshClimb.TryFind(solid.Mesh!, triangle, turn.InverseRotate(-face), out int corner)) continue;
-            Double3 tip = CoveredSides.InWorld(solid.Mesh!.GetCorner(corner), solid.Pose);
+            Double3 tip = solid.ToWorld(solid.Mesh!.GetCorner(corner));
             float room = UnionLift.RoundingOf(solid.Pose) + UnionLift.RoundingOf(sheet.Pose);
             ConcaveScratch other = scratch.Rent();
             RayHit front = RayCast(
@@ -138,7 +141,7 @@ public static partial class ConcaveQuery
             best = new CastResult(own.Status, 0, own.Point, (Vector3)(-face), 0, least);
         }
 
-        // Where the surface has no corner behind it, the other side's says nothing.
+        // If only one side has a surface to meet, the distance to it says nothing about the other side.
         return sides == 2 || Vector3.Dot(best.Normal, own.Normal) > 0 ? best : own;
     }
 }

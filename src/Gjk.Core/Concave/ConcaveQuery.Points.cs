@@ -1,6 +1,6 @@
 namespace Gjk.Core;
 
-// A point is a convex shape, too, so these ask the pair queries.
+// A point is a convex shape, so these methods call the pair queries.
 public static partial class ConcaveQuery
 {
     /// <summary>Whether a point is in a shape, its surface included.</summary>

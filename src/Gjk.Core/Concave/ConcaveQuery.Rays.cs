@@ -25,7 +25,7 @@ public static partial class ConcaveQuery
         if (!TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, sides))
             return new RayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
         PartCastSearch.Run(scratch);
-        RayHit found = FirstOf(scratch, maxDistance);
+        RayHit found = ToRayHit(scratch, maxDistance);
         bool isUnit = scratch.A.IsUnit, isStart = found.Status == CastStatus.OverlappingAtStart;
         if (scratch.A.HasInside && !options.PassesShallow && !(isUnit && isStart) && BeginsInOrOn(scratch))
         {
@@ -43,7 +43,7 @@ public static partial class ConcaveQuery
             }
 
             PartPairSearch.Run(scratch, float.PositiveInfinity);
-            PairDistance start = Answer(scratch, float.PositiveInfinity, isSigned: true);
+            PairDistance start = FinishDistance(scratch, float.PositiveInfinity, isSigned: true);
             if (start.Distance < 0 && !sides.Has(RaySides.Hollow))
             {
                 return new RayHit(
@@ -52,7 +52,7 @@ public static partial class ConcaveQuery
                     start.PartA);
             }
 
-            // The next surface on the way is looked for from both sides.
+            // Both sides count when the next surface on the way is looked for.
             if (start.Distance == 0 && sides.Has(RaySides.FrontOnly)
                 && TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, RaySides.Both))
             {
@@ -70,7 +70,7 @@ public static partial class ConcaveQuery
         return found;
     }
 
-    private static RayHit FirstOf(ConcaveScratch scratch, float maxDistance)
+    private static RayHit ToRayHit(ConcaveScratch scratch, float maxDistance)
     {
         ref readonly PartCastSearch search = ref scratch.CastSearch;
         return search.PartA >= 0
@@ -78,15 +78,15 @@ public static partial class ConcaveQuery
             : new RayHit(RayCastResult.Nothing(CastStatus.Miss, Math.Max(maxDistance, 0), 0));
     }
 
-    /// <summary>Whether a ray begins in a solid or on it; most do not, and need no distance.</summary>
+    /// <summary>Whether a ray begins in a solid or on it. Most do not, and need no distance.</summary>
     private static bool BeginsInOrOn(ConcaveScratch scratch)
     {
         PartPairSearch.Run(scratch, 0);
         return scratch.Search.PartA >= 0 || Containment.TryFind(scratch, out _);
     }
 
-    /// <summary>Whether a ray that begins on a solid's surface goes into it: no surface is crossed before the next hit,
-    /// so the middle of the way there tells.</summary>
+    /// <summary>Whether a ray that begins on a solid's surface goes into it. No surface is crossed before the next hit,
+    /// so the middle of the way there decides.</summary>
     private static bool Enters(ConcaveScratch scratch, Vector3 direction, in PartCastSearch search, float maxDistance)
     {
         double way = search.PartA >= 0 ? search.Ray.Distance : maxDistance;
@@ -95,7 +95,7 @@ public static partial class ConcaveQuery
         return Containment.IsAnyInside(scratch, along * (0.5 * way / along.Length));
     }
 
-    /// <summary>A normal of a triangle, on the side from which a motion comes.</summary>
+    /// <summary>A triangle's normal, turned against a motion.</summary>
     private static Vector3 Facing(Vector3 normal, Vector3 motion) => Double3.Dot(normal, motion) > 0 ? -normal : normal;
 
     /// <summary>Where a ray meets each part of a shape.</summary>
@@ -118,9 +118,9 @@ public static partial class ConcaveQuery
         if (hits is null) return false;
         hits.Clear();
         if (!TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, sides)) return false;
-        scratch.CastSearch.All = hits;
+        scratch.CastSearch.CollectedRays = hits;
         PartCastSearch.Run(scratch);
-        scratch.CastSearch.All = null;
+        scratch.CastSearch.CollectedRays = null;
         InPlaceSort.Sort(hits);
         return true;
     }
@@ -149,15 +149,16 @@ public static partial class ConcaveQuery
         List<RayHit> hits, float maxDistance = float.PositiveInfinity)
     {
         if (!RayCastAll(solid, pose, origin, direction, scratch, hits)) return false;
-        if (scratch.A.IsConvex) return CrossConvex(solid.Convex, pose, origin, direction, hits, maxDistance);
+        if (scratch.A.IsConvex) return FindConvexCrossings(solid.Convex, pose, origin, direction, hits, maxDistance);
         bool isSolid = scratch.A.IsAllSolid && !float.IsNaN(maxDistance), isIn = false;
         int kept = 0;
         for (int i = -1, next; isSolid && i < hits.Count; i = next)
         {
-            // The hits at one distance: at first those at the origin, which only say where the ray begins.
+            // The hits at one distance. The first round takes those at the origin, which only say whether the ray
+            // begins inside.
             float distance = i < 0 ? 0 : hits[i].Distance;
             for (next = i + 1; next < hits.Count && hits[next].Distance == distance;) next++;
-            bool staysIn = next < hits.Count && Containment.HasInside(
+            bool staysIn = next < hits.Count && Containment.HoldsOnRay(
                 scratch, scratch.A, origin, direction, 0.5 * ((double)distance + hits[next].Distance));
             if (i >= 0 && staysIn != isIn && distance <= maxDistance) hits[kept++] = hits[i].Crossing(isIn);
             isIn = staysIn;
@@ -167,8 +168,8 @@ public static partial class ConcaveQuery
         return isSolid;
     }
 
-    /// <summary>Where a ray enters and leaves a convex shape, given the hits with it.</summary>
-    private static bool CrossConvex(
+    /// <summary>Replaces the hits with a convex shape by where the ray enters and leaves it.</summary>
+    private static bool FindConvexCrossings(
         in ConvexShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, List<RayHit> hits,
         float maxDistance)
     {

@@ -33,7 +33,7 @@ public static partial class ConcaveQuery
 
         if (float.IsNaN(maxDistance) || !TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
         PartPairSearch.Run(scratch, maxDistance);
-        return Answer(scratch, maxDistance, isSigned: false);
+        return FinishDistance(scratch, maxDistance, isSigned: false);
     }
 
     /// <summary>As the other, with the parts that were nearest in the last query of the pair as a guess.</summary>
@@ -54,7 +54,7 @@ public static partial class ConcaveQuery
         if (float.IsNaN(maxDistance) || !TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
         PartPairSearch.Run(scratch, maxDistance, warmStart.PartA, warmStart.PartB);
         if (scratch.Search.PartA >= 0) warmStart.Set(scratch.Search.PartA, scratch.Search.PartB);
-        return Answer(scratch, maxDistance, isSigned: false);
+        return FinishDistance(scratch, maxDistance, isSigned: false);
     }
 
     /// <summary>Whether two shapes share a point, touching included.</summary>
@@ -68,8 +68,8 @@ public static partial class ConcaveQuery
         in AnyShape a, in RigidPose poseA, in AnyShape b, in RigidPose poseB, ConcaveScratch scratch) =>
         Distance(a, poseA, b, poseB, scratch, 0).IsOverlapping;
 
-    /// <summary>The distance, or the signed distance, once the nearest parts are found.</summary>
-    private static PairDistance Answer(ConcaveScratch scratch, float maxDistance, bool isSigned)
+    /// <summary>Makes the answer of the nearest parts: the distance, or the signed distance.</summary>
+    private static PairDistance FinishDistance(ConcaveScratch scratch, float maxDistance, bool isSigned)
     {
         PartSide a = scratch.A, b = scratch.B;
         ref PartPairSearch search = ref scratch.Search;
@@ -84,15 +84,15 @@ public static partial class ConcaveQuery
         if (!isSigned || !(a.IsPoint || b.IsPoint)) return inside;
         PartSide outer = a.IsPoint ? b : a, point = a.IsPoint ? a : b;
         if (outer.Solid is null) return inside;
-        double most = MostDistance(outer, a.IsPoint ? search.PartB : search.PartA, point.Pose.Position, best.Distance);
+        double most = DistanceBound(outer, a.IsPoint ? search.PartB : search.PartA, point.Pose.Position, best.Distance);
         return new PairDistance(best.Inside(RoundOff.Down(-most)), partA, partB);
     }
 
-    /// <summary>A bound from above of a point's distance to a triangle, of which the rounded one is known.</summary>
-    private static double MostDistance(PartSide side, int part, Vector3 point, float distance)
+    /// <summary>An upper bound of a point's distance to a triangle, given the distance rounded to float.</summary>
+    private static double DistanceBound(PartSide side, int part, Vector3 point, float distance)
     {
         ConvexShape room = default;
-        ref readonly ConvexShape triangle = ref side.Part(part, ref room);
+        ref readonly ConvexShape triangle = ref side.ShapeOf(part, ref room);
         double reach = ((Double3)point - side.Pose.Position).Length + triangle.Center.Length + triangle.BoundingRadius;
         return distance * (1 + GjkTolerances.FloatBand) + 2 * GjkTolerances.LowerBoundError * reach;
     }
@@ -118,7 +118,7 @@ public static partial class ConcaveQuery
 
         if (!TrySetSides(a, poseA, b, poseB, scratch)) return Invalid;
         PartPairSearch.Run(scratch, float.PositiveInfinity);
-        return Answer(scratch, float.PositiveInfinity, isSigned: true);
+        return FinishDistance(scratch, float.PositiveInfinity, isSigned: true);
     }
 
     private static PairDistance Invalid => new(DistanceResult.Invalid(GjkStatus.InvalidInput, 0));

@@ -21,37 +21,40 @@ public sealed class ConcaveScratch
     internal PartPairSearch Search;
     internal PartCastSearch CastSearch;
 
-    /// <summary>The static objects of a scene that count as one body and are A in turn; room for more after
+    /// <summary>The static objects of a scene that count as one body, each of which is A in turn. Unused ones follow
     /// them.</summary>
     internal readonly List<PartSide> Grounds = [];
 
-    /// <summary>How many there are; 0 where A is one shape.</summary>
+    /// <summary>How many of them are in use; 0 where A is one shape.</summary>
     internal int GroundCount;
 
-    /// <summary>How many pairs of parts were searched for what a face meets.</summary>
+    /// <summary>Whether any of the pairs overlaps or touches.</summary>
+    internal bool AreAnyTouching;
+
+    /// <summary>How many pairs of parts went through the search of faces.</summary>
     internal int Searched;
 
-    /// <summary>Makes A the static object that a pair is of.</summary>
-    internal void Select(ObjectPair pair)
+    /// <summary>Makes A the static object of a pair.</summary>
+    internal void SelectGround(ObjectPair pair)
     {
         if (GroundCount > 0) A = Grounds[pair.A];
     }
 
-    /// <summary>One of the two bodies: B, or the static object with a number among those that are A.</summary>
+    /// <summary>One of the two bodies: B, or A's static object with a number.</summary>
     internal PartSide SideOf(int ground, bool isA) => !isA ? B : GroundCount > 0 ? Grounds[ground] : A;
 
-    /// <summary>Which of all pairs are of a static object.</summary>
+    /// <summary>The range of a static object's pairs among all pairs.</summary>
     internal (int Begin, int End) PairsOf(int ground) => GroundCount == 0
         ? (0, Pairs.Count)
         : (ground == 0 ? 0 : Grounds[ground - 1].PairsEnd, Grounds[ground].PairsEnd);
 
-    /// <summary>Another scratch for a thread of its own; this one keeps it.</summary>
+    /// <summary>Another scratch, for one thread or one nested query. Give it back by <see cref="Return"/>.</summary>
     internal ConcaveScratch Rent()
     {
         lock (_idle) return _idle.Count > 0 ? _idle.Pop() : new ConcaveScratch();
     }
 
-    /// <summary>Takes one back.</summary>
+    /// <summary>Takes a scratch back.</summary>
     internal void Return(ConcaveScratch scratch)
     {
         lock (_idle) _idle.Push(scratch);

@@ -1,21 +1,22 @@
 namespace Gjk.Core;
 
-/// <summary>What the push of a contact does to other pairs of parts: B is moved along its normal by its depth. A pair
-/// that this takes apart is held by that contact and needs none of its own.</summary>
+/// <summary>Tests what the push of a contact does to other pairs of parts: B is moved along the contact's normal by its
+/// depth. A pair that this takes apart is held by that contact, and needs none of its own.</summary>
 internal static class ContactPush
 {
-    /// <summary>Of a depth: less is much less. At a half no face pushes more than twice as far as it must.</summary>
+    /// <summary>Ratio of depths: below it a depth is much less. At a half no face pushes more than twice as far as it
+    /// must.</summary>
     public const float MuchLess = 0.5f;
 
-    /// <summary>Count: of so many directions the deepest pushes are tried on pairs without contact. More costs time;
+    /// <summary>Count: the deepest pushes of so many directions are tried on pairs without contact. More costs time;
     /// with fewer some pairs get a contact that they do not need.</summary>
     private const int MostPushes = 16;
 
-    /// <summary>Cosine of 8 degrees: contacts that push the same way.</summary>
+    /// <summary>Cosine of 8 degrees: contacts within it push the same way.</summary>
     private const float SameWay = 0.99f;
 
-    /// <summary>Cosine of 60 degrees: a contact within it moves a body along a face by at least half its depth.
-    /// More pushes aslant what is pushed straight already.</summary>
+    /// <summary>Cosine of 60 degrees: a contact within it moves a body along a face by at least half its depth. With
+    /// more, what is already pushed straight is pushed aslant, too.</summary>
     private const float Alike = 0.5f;
 
     /// <summary>Ratios: a push goes so much further than the contact is deep, and by this of the place, so that what
@@ -24,12 +25,12 @@ internal static class ContactPush
 
     /// <summary>How far a contact pushes.</summary>
     public static float LengthOf(in DistanceResult result) =>
-        Further * Math.Max(-result.Distance, 0) + Room * (float)DeepestPoint.PlaceOf(result);
+        Further * Math.Max(-result.Distance, 0) + Room * (float)DeepestPoint.CoordinateSum(result);
 
-    /// <summary>Adds the contacts of faces that are needed beside those that are there, and then of the pairs that no
-    /// contact takes apart what holds them.</summary>
-    /// <param name="scratch">With both sides, the contacts of faces and the orphans.</param>
-    /// <param name="contacts">Those that need no others to be judged; it is sorted.</param>
+    /// <summary>Adds the contacts of faces that are needed beside the others. Then adds what holds the pairs that no
+    /// contact takes apart.</summary>
+    /// <param name="scratch">The scratch with both sides, the contacts of faces and the orphans.</param>
+    /// <param name="contacts">The contacts that need no others to be judged; sorted.</param>
     public static void AddNeeded(ConcaveScratch scratch, List<PairContacts> contacts)
     {
         InPlaceSort.Sort(contacts);
@@ -40,8 +41,8 @@ internal static class ContactPush
         RemoveTwice(contacts);
     }
 
-    /// <summary>The shallowest face first: what is at most half as deep as a face is collected before it is judged, and
-    /// so are the faces before it.</summary>
+    /// <summary>Takes the shallowest face first. Contacts at most half as deep as a face, and the faces before it, are
+    /// collected before it is judged.</summary>
     private static void AddFaces(ConcaveScratch scratch, List<PairContacts> contacts)
     {
         List<FaceContact> faces = scratch.FaceContacts;
@@ -63,7 +64,7 @@ internal static class ContactPush
         }
     }
 
-    /// <summary>The deepest orphan first, as its push takes most others apart.</summary>
+    /// <summary>Takes the deepest orphan first, as its push takes most others apart.</summary>
     private static void AddOrphans(ConcaveScratch scratch, List<PairContacts> contacts, int own)
     {
         List<FaceContact> orphans = scratch.Orphans;
@@ -91,7 +92,7 @@ internal static class ContactPush
         return isOther ? face.OfOwnParts : one;
     }
 
-    /// <summary>Leaves each pair of parts its deepest contact, of those sorted.</summary>
+    /// <summary>Keeps the deepest contact of each pair of parts, given sorted contacts.</summary>
     private static void RemoveTwice(List<PairContacts> contacts)
     {
         int kept = 0;
@@ -152,7 +153,7 @@ internal static class ContactPush
         return true;
     }
 
-    /// <summary>Whether a collected push takes a pair apart that has no contact of its own.</summary>
+    /// <summary>Whether a collected push takes apart a pair that has no contact of its own.</summary>
     private static bool IsHeld(ConcaveScratch scratch, in FaceContact orphan)
     {
         foreach (PairContacts push in scratch.Pushes)
@@ -207,22 +208,22 @@ internal static class ContactPush
     private static bool TakesApart(ConcaveScratch scratch, in PairContacts push, in FaceContact pair)
     {
         Vector3 by = push.Manifold.Normal * LengthOf(push.Result);
-        scratch.Select(pair.Contact.Pair);
+        scratch.SelectGround(pair.Contact.Pair);
 
-        // The contact is a face's that is behind what the parts, which are apart, show each other.
+        // The parts are apart, and the contact is that of a face behind what they show each other.
         if (pair.Own > Math.Max(pair.Contact.Result.Distance, 0)) return !IsBehind(scratch, pair, by);
         float own = pair.Own;
 
-        // They come out by no less than their own way is pushed, and by no more than all of the push.
+        // Their distance grows by no less than the push along their own way, and by no more than the whole push.
         if (own + Vector3.Dot(by, pair.OwnNormal) > MuchLess * own) return true;
         if (own + ((Double3)by).Length < MuchLess * own) return false;
         ConvexShape roomA = default, roomB = default;
         PartSide a = scratch.A, b = scratch.B;
         float left = ConvexQuery.SignedDistance(
-            a.Part(pair.PartA, ref roomA), a.Pose, b.Part(pair.PartB, ref roomB),
+            a.ShapeOf(pair.PartA, ref roomA), a.Pose, b.ShapeOf(pair.PartB, ref roomB),
             new RigidPose(b.Pose.Rotation, b.Pose.Position + by)).Distance;
 
-        // What only touches is not apart while it slides.
+        // Parts that only touch are not apart while they slide.
         return own < 0 ? left >= 0 || left > MuchLess * own : left > 0;
     }
 
@@ -234,7 +235,7 @@ internal static class ContactPush
         ContactManifold manifold = face.Contact.Manifold;
         RotationD turn = new(mesh.Pose.Rotation);
         Double3 normal = turn.InverseRotate(sign * manifold.Normal), shift = turn.InverseRotate(sign * push);
-        var over = new TriangleColumn(mesh.Mesh!, face.IsOfA ? face.PartA : face.PartB, normal);
+        var over = new TriangleColumn(mesh, face.IsOfA ? face.PartA : face.PartB, normal);
         for (int i = 0; i < manifold.Count; i++)
         {
             Double3 foot = face.IsOfA ? manifold[i].LocalPointA : manifold[i].LocalPointB;

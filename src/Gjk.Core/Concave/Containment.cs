@@ -1,16 +1,16 @@
 namespace Gjk.Core;
 
-/// <summary>Whether a piece of one shape lies inside the other, where their parts share no point: then each piece is
-/// inside or outside as a whole, and one point of it tells.</summary>
+/// <summary>Whether a piece of one shape lies inside the other, where their parts share no point. Each piece is then
+/// wholly inside or wholly outside, so one point of it decides.</summary>
 internal static class Containment
 {
-    /// <summary>Ratio to a triangle's size: 2^-10; so far behind it a point tells which side of another surface its
-    /// solid is on. More than rounding, and less than what a solid is thick. Pinned by FlushSolidTests.</summary>
+    /// <summary>Ratio to a triangle's size: 2^-10. A point so far behind it shows on which side of another surface its
+    /// solid is. It is more than rounding, and less than a solid's thickness. Pinned by FlushSolidTests.</summary>
     private const double Behind = 1.0 / (1 << 10);
 
     /// <summary>Finds the first piece of either that lies in the other's inside.</summary>
     /// <param name="scratch">With both sides set, whose parts share no point.</param>
-    /// <param name="found">That they overlap, at a point of the piece.</param>
+    /// <param name="found">The overlap, at a point of the piece.</param>
     public static bool TryFind(ConcaveScratch scratch, out PairDistance found)
     {
         if (TryFind(scratch, scratch.A, scratch.B, out int holder, out int part, out DistanceResult result))
@@ -24,20 +24,20 @@ internal static class Containment
         return isInB;
     }
 
-    /// <summary>Whether a piece of either is in the other's inside, after B has moved: asked at the middle of a piece,
-    /// if that is not on the surface.</summary>
+    /// <summary>Whether a piece of either is in the other's inside, after B has moved. The middle of each piece is
+    /// tested, unless that is on the surface.</summary>
     /// <param name="scratch">With both sides set, whose parts may touch.</param>
     /// <param name="moved">How far B has moved from its pose, in the world.</param>
     public static bool IsAnyInside(ConcaveScratch scratch, in Double3 moved) =>
         IsAnyInside(scratch, scratch.A, scratch.B, moved) || IsAnyInside(scratch, scratch.B, scratch.A, -moved);
 
-    /// <summary>Whether the middle of a triangle that touches the other's surface is in its inside, after B has moved:
-    /// a piece with edges in a surface may be on both sides of it. Where nothing has moved, faces of two solids may lie
-    /// in each other, so what is just behind the middle counts, too.</summary>
+    /// <summary>Whether the middle of a triangle that touches the other's surface is in its inside, after B has moved.
+    /// A piece with edges in a surface may be on both sides of it. If nothing has moved, faces of two solids may
+    /// coincide, so a point just behind the middle is tested, too.</summary>
     /// <param name="scratch">With both sides set, whose parts may touch.</param>
     /// <param name="moved">How far B has moved from its pose, in the world.</param>
     /// <param name="pair">The triangle, and one that it touches.</param>
-    /// <param name="outward">Out of the triangle's solid, in the world; 0 where it is of none.</param>
+    /// <param name="outward">The direction out of the triangle's solid, in the world; 0 where it has none.</param>
     public static bool IsAnyTouchingInside(
         ConcaveScratch scratch, in Double3 moved, out PairDistance pair, out Double3 outward)
     {
@@ -47,33 +47,33 @@ internal static class Containment
         return isIn;
     }
 
-    /// <summary>Whether a point of the world is in a solid, as double has it.</summary>
+    /// <summary>Whether a point of the world, in double, is in a solid.</summary>
     public static bool Holds(ConcaveScratch scratch, PartSide outer, in Double3 world) =>
-        Holder(scratch, outer, VectorDD.ToFrame(outer.Pose, (VectorDD)world)) is not null;
+        FindHolder(scratch, outer, VectorDD.ToFrame(outer.Pose, (VectorDD)world)) is not null;
 
-    /// <summary>Whether a solid winds around a point of a ray, which is computed in 106 bits.</summary>
+    /// <summary>Whether a solid winds around a point of a ray. The point is computed in 106 bits.</summary>
     /// <param name="scratch">Memory for the search.</param>
-    /// <param name="outer">With the solids.</param>
+    /// <param name="outer">The side with the solids.</param>
     /// <param name="origin">Where the ray begins, in the world.</param>
     /// <param name="direction">Of any length.</param>
     /// <param name="distance">World units along the ray.</param>
-    public static bool HasInside(
+    public static bool HoldsOnRay(
         ConcaveScratch scratch, PartSide outer, Vector3 origin, Vector3 direction, double distance)
     {
         Double3 along = direction;
         VectorDD point = (Double3)origin + (VectorDD)along * (DoubleDouble)(distance / along.Length);
-        return Holder(scratch, outer, VectorDD.ToFrame(outer.Pose, point)) is not null;
+        return FindHolder(scratch, outer, VectorDD.ToFrame(outer.Pose, point)) is not null;
     }
 
     /// <summary>The first inside that holds a point of the shape's frame, or null.</summary>
-    private static SolidInside? Holder(ConcaveScratch scratch, PartSide outer, in VectorDD local)
+    private static SolidInside? FindHolder(ConcaveScratch scratch, PartSide outer, in VectorDD local)
     {
         foreach (SolidInside inside in outer.Insides)
-            if (IsIn(scratch, inside, local)) return inside;
+            if (Encloses(scratch, inside, local)) return inside;
         return null;
     }
 
-    private static bool IsIn(ConcaveScratch scratch, SolidInside inside, in VectorDD local) =>
+    private static bool Encloses(ConcaveScratch scratch, SolidInside inside, in VectorDD local) =>
         inside.MayHold((Double3)local) && scratch.Winding.About(inside.Mesh, inside.ToMesh(local)) != 0;
 
     private static bool IsAnyInside(ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 moved)
@@ -108,14 +108,14 @@ internal static class Containment
         return false;
     }
 
-    /// <summary>Whether what is behind the middle of a solid's triangle is in both.</summary>
+    /// <summary>Whether the point behind the middle of a solid's triangle is in both solids.</summary>
     private static bool IsBehind(
         ConcaveScratch scratch, PartSide outer, PartSide inner, in Double3 middle, in Double3 outward,
         in Double3 corner)
     {
         VectorDD at = VectorDD.ToWorld(inner.Pose, middle);
         Double3 inward = outward * (-Behind * ((Double3)at - corner).Length);
-        return Holder(scratch, inner, VectorDD.ToFrame(inner.Pose, at + (VectorDD)inward)) is not null
+        return FindHolder(scratch, inner, VectorDD.ToFrame(inner.Pose, at + (VectorDD)inward)) is not null
             && IsInside(scratch, outer, inner, middle, inward);
     }
 
@@ -126,8 +126,8 @@ internal static class Containment
         VectorDD local = VectorDD.ToFrame(outer.Pose, VectorDD.ToWorld(inner.Pose, point) + (VectorDD)moved);
         for (int i = 0; i < outer.Insides.Length; i++)
         {
-            if (!IsIn(scratch, outer.Insides[i], local)) continue;
-            if (!IsOnSurface(scratch, outer.Unit(i), (Vector3)(Double3)local)) return true;
+            if (!Encloses(scratch, outer.Insides[i], local)) continue;
+            if (!IsOnSurface(scratch, outer.UnitShape(i), (Vector3)(Double3)local)) return true;
         }
 
         return false;
@@ -154,7 +154,7 @@ internal static class Containment
         {
             Double3 point = inner.PointOf(piece, out int first);
             VectorDD placed = VectorDD.ToWorld(inner.Pose, point), local = VectorDD.ToFrame(outer.Pose, placed);
-            if (Holder(scratch, outer, local) is not { } inside) continue;
+            if (FindHolder(scratch, outer, local) is not { } inside) continue;
             part = inner.NumberOf(first);
             if (outer.Compound is not null) holder = inside.First;
             var world = (Vector3)(Double3)placed;

@@ -1,15 +1,15 @@
 namespace Gjk.Core;
 
-/// <summary>Corners of a mesh that lie on another triangle's border edge, between its ends (T-junctions): triangles
-/// without area fill them, so that what meets there is joined. They are no parts; only neighbourhood knows
-/// them.</summary>
-/// <remarks>Corners are put into cubes as large as a border edge is long on average, and as what counts as on an edge.
-/// Each edge asks the cubes along it, piece by piece: there are at most twice as many pieces as edges, and some 27
+/// <summary>Finds corners of a mesh that lie on another triangle's border edge, between its ends (T-junctions).
+/// Triangles without area fill the gaps there, so that the triangles on both sides are joined. Queries do not see the
+/// fill; only neighbourhood does.</summary>
+/// <remarks>Corners are put into cubes as large as the average border edge, or as the width that counts as on an edge.
+/// Each edge searches the cubes along it, piece by piece: there are at most twice as many pieces as edges, and some 27
 /// cubes at each.</remarks>
 internal sealed class CornersOnEdges
 {
-    /// <summary>Count: so many corners are near a border edge, on average. In a heap of triangles that has more there
-    /// are no T-junctions, and looking for them would take the square of the time. Pinned by FloorTests.</summary>
+    /// <summary>Count: so many corners are near a border edge, on average. A heap of triangles that has more has no
+    /// T-junctions, and looking for them would take quadratic time. Pinned by FloorTests.</summary>
     private const int MostNear = 64;
 
     private readonly TriangleMesh _mesh;
@@ -25,22 +25,22 @@ internal sealed class CornersOnEdges
     private CornersOnEdges(TriangleMesh mesh, double cube, int borders) =>
         (_mesh, _cube, _left) = (mesh, cube, (long)MostNear * borders);
 
-    /// <summary>Three vertices of each triangle that fills one; empty where there are none.</summary>
-    /// <param name="mesh">Whose tree is built.</param>
+    /// <summary>Three vertices of each triangle of the fill; empty where there is no T-junction.</summary>
+    /// <param name="mesh">A mesh whose tree is built.</param>
     /// <param name="borders">The sides that are edges of one triangle alone.</param>
     public static int[] Fill(TriangleMesh mesh, int[] borders)
     {
         if (borders.Length == 0) return [];
         double sum = 0;
         foreach (int side in borders)
-            sum += (mesh.GetCorner(ContactCone.After(side)) - mesh.GetCorner(side)).Length;
+            sum += (mesh.GetCorner(TriangleList.NextSide(side)) - mesh.GetCorner(side)).Length;
         double least = 2 * ContactCone.Flat * (mesh.Tree.Origin.Length + 2 * mesh.Tree.Radius);
         var search = new CornersOnEdges(mesh, Math.Max(sum / borders.Length, least), borders.Length);
         search.Collect(borders);
         foreach (int side in borders)
-            if (!search.TryAsk(side)) return [];
+            if (!search.TryFindOn(side)) return [];
         search._found.Sort();
-        return search.Fan();
+        return search.ListTriangles();
     }
 
     private void Collect(int[] borders)
@@ -48,7 +48,7 @@ internal sealed class CornersOnEdges
         var seen = new HashSet<Vector3>();
         for (int i = 0; i < 2 * borders.Length; i++)
         {
-            int corner = i % 2 == 0 ? borders[i / 2] : ContactCone.After(borders[i / 2]);
+            int corner = i % 2 == 0 ? borders[i / 2] : TriangleList.NextSide(borders[i / 2]);
             Double3 place = _mesh.GetCorner(corner);
             if (!seen.Add((Vector3)place)) continue;
             var key = (Vector3)CubeOf(place);
@@ -65,10 +65,10 @@ internal sealed class CornersOnEdges
     }
 
     /// <summary>Finds the corners on an edge, piece by piece.</summary>
-    /// <returns>False where there are too many to look at.</returns>
-    private bool TryAsk(int side)
+    /// <returns>False where there are too many corners to test.</returns>
+    private bool TryFindOn(int side)
     {
-        Double3 start = _mesh.GetCorner(side), edge = _mesh.GetCorner(ContactCone.After(side)) - start;
+        Double3 start = _mesh.GetCorner(side), edge = _mesh.GetCorner(TriangleList.NextSide(side)) - start;
         double length = edge.Length, room = ContactCone.Flat * (length + start.Length);
         var most = new Double3(room, room, room);
         var pieces = (int)Math.Ceiling(length / _cube);
@@ -81,14 +81,15 @@ internal sealed class CornersOnEdges
             for (double x = low.X; x <= high.X; x++)
             {
                 for (double y = low.Y; y <= high.Y; y++)
-                    for (double z = low.Z; z <= high.Z; z++) AskCube(side, start, edge, (Vector3)new Double3(x, y, z));
+                    for (double z = low.Z; z <= high.Z; z++)
+                        FindInCube(side, start, edge, (Vector3)new Double3(x, y, z));
             }
         }
 
         return _left >= 0;
     }
 
-    private void AskCube(int side, in Double3 start, in Double3 edge, Vector3 cube)
+    private void FindInCube(int side, in Double3 start, in Double3 edge, Vector3 cube)
     {
         if (!_last.TryGetValue(cube, out int at)) return;
         for (; at >= 0 && _left >= 0; at = _corners[at].Before, _left--)
@@ -105,8 +106,8 @@ internal sealed class CornersOnEdges
             && ContactCone.IsFlat(start, start + edge, place);
     }
 
-    /// <summary>Each edge with the corners on it, in their order, from where it begins.</summary>
-    private int[] Fan()
+    /// <summary>Makes triangles of each edge and the corners on it, in their order along the edge.</summary>
+    private int[] ListTriangles()
     {
         var fill = new List<int>();
         for (int i = 0; i < _found.Count; i++)
@@ -114,7 +115,7 @@ internal sealed class CornersOnEdges
             (int side, _, int corner) = _found[i];
             if (i > 0 && _found[i] == _found[i - 1]) continue;
             int from = i > 0 && _found[i - 1].Side == side ? _found[i - 1].Corner : side;
-            fill.AddRange([_mesh.VertexOf(from), _mesh.VertexOf(corner), _mesh.VertexOf(ContactCone.After(side))]);
+            fill.AddRange([_mesh.VertexOf(from), _mesh.VertexOf(corner), _mesh.VertexOf(TriangleList.NextSide(side))]);
         }
 
         return [.. fill];

@@ -1,27 +1,28 @@
 namespace Gjk.Core;
 
-/// <summary>Where the parts of a body, or static objects, are flush or in each other, a contact with one of them may be
-/// at a side that another one covers: their union does not end there.</summary>
+/// <summary>Finds contacts at covered sides. Where the parts of a body, or static objects, are flush or overlap,
+/// another part may cover the side of one, and the union does not end there.</summary>
 internal static class CoveredSides
 {
-    /// <summary>Ratio to lengths: 2^-18, some roundings of the places of two parts. Less makes a kerb of a seam between
-    /// parts whose places are rounded.</summary>
+    /// <summary>Ratio to lengths: 2^-18, some roundings of two parts' positions. With less, a seam between rounded
+    /// positions becomes a kerb.</summary>
     public const double Room = 4 * ContactCone.Slack;
 
-    /// <summary>Ratio to a place: 2^-22, twice what the positions of two flush parts lose in float. Without it seams
-    /// far out are kerbs, as FarTilesTests shows, where a quarter is enough.</summary>
+    /// <summary>Ratio to a position: 2^-22, twice what rounding to float takes from two flush parts. Without it seams
+    /// far from the origin become kerbs, as FarTilesTests shows; there a quarter is enough.</summary>
     private const double Rounding = 1.0 / (1 << 22);
 
-    /// <summary>Count of <see cref="Room"/>: so far along its side a part is looked for, beyond a plane, and so far
-    /// beyond a witness what the union shows there. A plane across a side is turned from it by 26 degrees or
-    /// more, so this is 4 rooms clear of a part that ends at the plane.</summary>
+    /// <summary>Count of <see cref="Room"/>: how far beyond a plane a part is looked for, along its side, and how far
+    /// beyond a witness the union is probed. A plane across a side is tilted from it by 26 degrees or more, so the
+    /// probe is 4 rooms clear of a part that ends at the plane.</summary>
     public const double Beyond = 1 / (1 - ContactCone.LeastCosine);
 
-    /// <summary>Count: planes that are kept. More cost time; with fewer a buried side may keep its contact. Pinned by
-    /// SeamContactTests.</summary>
+    /// <summary>Count: the most planes that are kept. More cost time; with fewer a buried side may keep its contact.
+    /// Pinned by SeamContactTests.</summary>
     private const int MostPlanes = 32;
 
-    /// <summary>Count: of so many parts each is asked, of more the tree. Others change the time only.</summary>
+    /// <summary>Count: up to so many parts each is tested; of more, the tree finds those to test. It changes the time
+    /// only.</summary>
     private const int FewParts = 16;
 
     /// <summary>A point of a contact on one of the two bodies, in the world.</summary>
@@ -31,16 +32,16 @@ internal static class CoveredSides
     public static Double3 InWorld(in Double3 local, in RigidPose pose) =>
         new RotationD(pose.Rotation).Rotate(local) + pose.Position;
 
-    /// <summary>Adds the plane of a contact, unless one is there already that says the same.</summary>
+    /// <summary>Adds the plane of a contact, unless an equal one is there.</summary>
     public static void AddPlane(ConcaveScratch scratch, bool isA, in PairContacts one, List<OpenPlane> planes)
     {
-        ManifoldPoint deepest = one.Manifold[DeepestPoint.Of(one.Manifold)];
+        ManifoldPoint deepest = one.Manifold[DeepestPoint.IndexIn(one.Manifold)];
         Double3 foot = FootOf(deepest, isA, scratch.SideOf(one.Pair.A, isA).Pose);
         Double3 normal = isA ? one.Manifold.Normal : -one.Manifold.Normal;
         Add(planes, new OpenPlane(foot, normal, Math.Max(-deepest.Gap, 0)));
     }
 
-    /// <summary>Adds a plane, unless one is there already that says the same.</summary>
+    /// <summary>Adds a plane, unless an equal one is there that is as deep.</summary>
     public static void Add(List<OpenPlane> planes, in OpenPlane one)
     {
         if (planes.Count == MostPlanes) return;
@@ -56,10 +57,10 @@ internal static class CoveredSides
     }
 
     /// <summary>Whether a contact is at a side that is covered.</summary>
-    /// <param name="contact">Its points.</param>
-    /// <param name="own">The part that has the side.</param>
+    /// <param name="contact">The contact's points.</param>
+    /// <param name="own">The part with the side.</param>
     /// <param name="planes">Those of all contacts.</param>
-    /// <param name="cover">What may cover it.</param>
+    /// <param name="cover">The parts that may cover it.</param>
     public static bool IsBuried(
         in ContactManifold contact, in ConvexShape own, List<OpenPlane> planes, in PartsCover cover)
     {
@@ -75,8 +76,8 @@ internal static class CoveredSides
         return false;
     }
 
-    /// <summary>Whether the part of a contact, at whose witness the union goes on, is there beyond the plane of another
-    /// contact, as a wall is that stands on a floor.</summary>
+    /// <summary>Whether a contact's part stands beyond the plane of another contact, as a wall on a floor. At the
+    /// part's witness the union goes on.</summary>
     /// <param name="own">The part.</param>
     /// <param name="planes">Those of all contacts.</param>
     /// <param name="cover">The union around the part.</param>
@@ -97,27 +98,27 @@ internal static class CoveredSides
         return false;
     }
 
-    /// <summary>Gives two parts that overlap the contact along the way that the union shows where their own is covered,
-    /// if they have points there.</summary>
+    /// <summary>Replaces the covered contact of two overlapping parts by one along the way that the union shows, if
+    /// they have points there.</summary>
     /// <inheritdoc cref="TryPoints"/>
-    public static bool TryAlong(
+    public static bool TryReplaceAlong(
         ConcaveScratch scratch, bool isA, ref PairContacts contact, float maxGap, in Double3 way)
     {
         bool isThere = TryPoints(scratch, isA, contact, maxGap, way, out ContactManifold manifold, out double tip)
             && tip < 0 && FaceSearch.IsAsDeep(manifold, tip);
         if (!isThere) return false;
-        contact = DeepestPoint.Contact(contact.PartA, contact.PartB, manifold, contact);
+        contact = DeepestPoint.MakeContact(contact.PartA, contact.PartB, manifold, contact);
         FlushSides.KeepShown(ref contact, new PartsCover(scratch, isA, contact));
         return true;
     }
 
-    /// <summary>The points of two parts along another way than their own; where there are none, the other part's tip
-    /// if it is over the side's.</summary>
+    /// <summary>The points of two parts along another way than their own. If there are none, it is the other part's
+    /// tip, where that is over the side's part.</summary>
     /// <param name="scratch">With both bodies.</param>
     /// <param name="isA">Whether the side is of A.</param>
     /// <param name="contact">The two parts.</param>
     /// <param name="maxGap">In world units.</param>
-    /// <param name="way">From the side to the other body, of unit length; or 0, which has no points.</param>
+    /// <param name="way">The direction from the side to the other body, of unit length; 0 has no points.</param>
     /// <param name="manifold">The points.</param>
     /// <param name="tip">How far the tip is from the side.</param>
     public static bool TryPoints(
@@ -125,8 +126,8 @@ internal static class CoveredSides
         out ContactManifold manifold, out double tip)
     {
         ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape a = ref scratch.A.Part(contact.PartA, ref roomA);
-        ref readonly ConvexShape b = ref scratch.B.Part(contact.PartB, ref roomB);
+        ref readonly ConvexShape a = ref scratch.A.ShapeOf(contact.PartA, ref roomA);
+        ref readonly ConvexShape b = ref scratch.B.ShapeOf(contact.PartB, ref roomB);
         RigidPose poseA = scratch.A.Pose, poseB = scratch.B.Pose;
         ContactPlane plane = default;
         tip = double.PositiveInfinity;
@@ -143,7 +144,7 @@ internal static class CoveredSides
         return true;
     }
 
-    /// <summary>The tip of a body against a direction, and what is opposite it.</summary>
+    /// <summary>A body's tip against a direction, and the point opposite it.</summary>
     public static ManifoldPoint Tip(
         in ConvexShape own, in RigidPose pose, in ConvexShape other, in RigidPose otherPose, in Double3 way)
     {
@@ -154,28 +155,27 @@ internal static class CoveredSides
         return Under(own, pose, way, InWorld(local, otherPose), (Vector3)local);
     }
 
-    /// <summary>Whether a point of a shape's frame is in it or as good as on it.</summary>
+    /// <summary>Whether a point of a shape's frame is in it, or on it but for rounding.</summary>
     public static bool IsOn(in ConvexShape shape, in Double3 point) =>
         IsWithin(shape, point, Room * point.SumOfMagnitudes);
 
-    /// <summary>A point of another body, and what is opposite it on the plane of a part's furthest point.</summary>
+    /// <summary>A point of another body, and the point opposite it on the plane through a part's furthest
+    /// point.</summary>
     public static ManifoldPoint Under(
         in ConvexShape own, in RigidPose pose, in Double3 outward, in Double3 tip, Vector3 localTip)
     {
-        RotationD turn = new(pose.Rotation);
-        own.Support(turn.InverseRotate(outward), out Double3 most);
-        Double3 top = turn.Rotate(own.Center + most) + pose.Position + outward * own.Margin;
-        double gap = Double3.Dot(outward, tip - top);
+        double gap = Double3.Dot(outward, tip - FlushSides.Furthest(own, pose, outward));
         Double3 foot = tip - outward * gap;
-        var local = (Vector3)turn.InverseRotate(foot - pose.Position);
+        var local = (Vector3)new RotationD(pose.Rotation).InverseRotate(foot - pose.Position);
         return new ManifoldPoint((Vector3)foot, (Vector3)tip, local, localTip, (float)gap, 0);
     }
 
-    /// <summary>Whether a part, but not the given one, holds a point of the world and reaches beyond it.</summary>
+    /// <summary>Whether a part other than the given one holds a point of the world and reaches beyond it.</summary>
     public static bool GoesOn(ConcaveScratch scratch, PartSide side, int but, in Double3 inWorld, in Double3 along)
     {
-        (Double3 point, Double3 direction, double rounding) = (side.Local(inWorld), side.Turned(along), side.Rounding);
-        if (side.Mesh is null && side.Compound is null) return GoesOn(side.Convex(0), point, direction, rounding);
+        Double3 point = side.ToLocal(inWorld), direction = side.ToLocalDirection(along);
+        double rounding = side.Rounding;
+        if (side.Mesh is null && side.Compound is null) return GoesOn(side.ConvexPart(0), point, direction, rounding);
         if (JoinedGrounds.IsInside(scratch, side, inWorld, along)) return true;
         ConvexShape room = default;
         if (side.PartCount <= FewParts)
@@ -183,7 +183,7 @@ internal static class CoveredSides
             for (int part = 0; part < side.PartCount; part++)
             {
                 if (part == but || IsClear(side, part, point)) continue;
-                if (GoesOn(side.Part(part, ref room), point, direction, rounding)) return true;
+                if (GoesOn(side.ShapeOf(part, ref room), point, direction, rounding)) return true;
             }
 
             return false;
@@ -198,7 +198,7 @@ internal static class CoveredSides
         for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
         {
             int part = near.Pairs[i].PartA;
-            goesOn = part != but && GoesOn(side.Part(part, ref room), point, direction, rounding);
+            goesOn = part != but && GoesOn(side.ShapeOf(part, ref room), point, direction, rounding);
         }
 
         scratch.Return(near);
@@ -233,7 +233,7 @@ internal static class CoveredSides
         return reach.IsBeyond(2 * (Room * (reach.Size + point.SumOfMagnitudes) + side.Rounding) + gap);
     }
 
-    /// <summary>Whether a plane is across a contact's direction: no other one buries it.</summary>
+    /// <summary>Whether any plane is across a contact's direction. Only such a plane buries it.</summary>
     public static bool IsAnyAcross(List<OpenPlane> planes, in Double3 outward)
     {
         foreach (OpenPlane plane in planes)
@@ -244,13 +244,13 @@ internal static class CoveredSides
     private static bool IsAcross(in OpenPlane plane, in Double3 outward) =>
         Math.Abs(Double3.Dot(plane.Normal, outward)) < ContactCone.LeastCosine;
 
-    /// <summary>World units: by so much rounding moves what is at a place.</summary>
+    /// <summary>World units: by so much rounding may shift what is at a place.</summary>
     public static double RoundingAt(in Double3 place) => Rounding * place.SumOfMagnitudes;
 
     public static double RoomOf(in Double3 point, in Double3 to, PartSide side) =>
         Room * ((point - side.Pose.Position).SumOfMagnitudes + to.SumOfMagnitudes) + side.Rounding;
 
-    /// <summary>Whether a point of a side is no further behind a plane than the other body is pushed out of it, and
+    /// <summary>Whether a point of a side is behind a plane by no more than the other body is pushed out of it, and is
     /// covered there.</summary>
     private static bool IsBehind(
         in OpenPlane plane, in Double3 foot, in Double3 outward, in ConvexShape own, in PartsCover cover)
@@ -262,7 +262,7 @@ internal static class CoveredSides
         return cover.GoesOn(lifted, outward) && !ReachesBeyond(plane, lifted, outward, own, cover.Side);
     }
 
-    /// <summary>Whether a part is there beyond a plane, along its normal or along the side that the part shows at a
+    /// <summary>Whether a part reaches beyond a plane, along its normal or along the side that the part shows at a
     /// point of it.</summary>
     private static bool ReachesBeyond(
         in OpenPlane plane, in Double3 point, in Double3 outward, in ConvexShape own, PartSide side)
@@ -274,15 +274,15 @@ internal static class CoveredSides
     /// <summary>Whether a part holds what is just beyond a point.</summary>
     private static bool Holds(in ConvexShape own, PartSide side, in Double3 point, in Double3 direction)
     {
-        Double3 local = side.Local(point), beyond = side.Turned(direction);
+        Double3 local = side.ToLocal(point), beyond = side.ToLocalDirection(direction);
         own.Support(beyond, out Double3 most);
         double length = (own.Center - local).Length + most.Length + own.Margin + local.Length;
         double room = Room * length + side.Rounding;
         return IsWithin(own, local + beyond * (Beyond * room), room);
     }
 
-    /// <summary>Whether a shape is no further than so much from a point of its frame, which is rounded to float. What
-    /// is twice as far is not measured, as most parts that are asked are far from the point.</summary>
+    /// <summary>Whether a shape is no further than a distance from a point of its frame, which is rounded to float.
+    /// Most parts are far from the point: the distance query stops at twice that.</summary>
     public static bool IsWithin(in ConvexShape shape, in Double3 point, double room)
     {
         var at = (Vector3)point;

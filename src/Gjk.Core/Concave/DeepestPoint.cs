@@ -1,9 +1,9 @@
 namespace Gjk.Core;
 
-/// <summary>The point of a manifold that is deepest.</summary>
+/// <summary>The deepest point of a manifold.</summary>
 internal static class DeepestPoint
 {
-    public static int Of(in ContactManifold manifold)
+    public static int IndexIn(in ContactManifold manifold)
     {
         int deepest = 0;
         for (int i = 1; i < manifold.Count; i++)
@@ -11,16 +11,16 @@ internal static class DeepestPoint
         return deepest;
     }
 
-    /// <summary>The magnitudes of where a contact is, in the world and in both frames: roundings are ratios to
+    /// <summary>The sum of a contact's coordinates, in the world and in both frames. Roundings are ratios to
     /// it.</summary>
-    public static double PlaceOf(in DistanceResult at) =>
+    public static double CoordinateSum(in DistanceResult at) =>
         ((Double3)at.PointA).SumOfMagnitudes + ((Double3)at.LocalPointA).SumOfMagnitudes
             + ((Double3)at.LocalPointB).SumOfMagnitudes;
 
-    /// <summary>Puts it first.</summary>
-    public static void Lead(ref ContactManifold manifold)
+    /// <summary>Moves the deepest point to the front.</summary>
+    public static void MoveToFront(ref ContactManifold manifold)
     {
-        int deepest = Of(manifold);
+        int deepest = IndexIn(manifold);
         if (deepest == 0) return;
         ContactManifold before = manifold;
         manifold = default;
@@ -30,17 +30,17 @@ internal static class DeepestPoint
             if (i != deepest) manifold.Add(before[i]);
     }
 
-    /// <summary>A contact that has other points than the parts' own one; the deepest leads.</summary>
-    public static PairContacts Contact(int partA, int partB, ContactManifold manifold, in PairContacts own)
+    /// <summary>A contact of two parts with other points than their own; the deepest comes first.</summary>
+    public static PairContacts MakeContact(int partA, int partB, ContactManifold manifold, in PairContacts own)
     {
-        Lead(ref manifold);
-        return new PairContacts(partA, partB, Result(manifold, own.Result), manifold, own.Pair);
+        MoveToFront(ref manifold);
+        return new PairContacts(partA, partB, ToResult(manifold, own.Result), manifold, own.Pair);
     }
 
-    /// <summary>It as the result of a query, whose own result is given.</summary>
-    public static DistanceResult Result(in ContactManifold manifold, in DistanceResult own)
+    /// <summary>The deepest point as the result of a query, given the parts' own result.</summary>
+    public static DistanceResult ToResult(in ContactManifold manifold, in DistanceResult own)
     {
-        ManifoldPoint point = manifold[Of(manifold)];
+        ManifoldPoint point = manifold[IndexIn(manifold)];
         return new DistanceResult(
             point.Gap > 0 ? GjkStatus.Separated : GjkStatus.Overlapping, point.Gap,
             Math.Min(own.LowerBound, point.Gap), point.PointA, point.PointB, manifold.Normal, point.LocalPointA,

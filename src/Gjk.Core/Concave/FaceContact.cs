@@ -1,7 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>A contact that may stand for a pair whose own way out does not show, if the pair needs one.</summary>
-/// <param name="contact">What may stand for it.</param>
+/// <summary>A contact that may replace one of a pair whose own way out the surface does not show, if the pair needs
+/// one.</summary>
+/// <param name="contact">The contact.</param>
 /// <param name="own">The pair's contact along its own way.</param>
 /// <param name="isOfA">Whether the contact is along a face of A.</param>
 /// <param name="shortened">See <see cref="Shortened"/>.</param>
@@ -10,20 +11,20 @@ internal readonly struct FaceContact(
 {
     public readonly PairContacts Contact = contact;
 
-    /// <summary>The pair; the contact may name another part, where the other side's tip is.</summary>
+    /// <summary>The pair's parts. The contact may name another part, which has the other side's tip.</summary>
     public readonly int PartA = own.PartA, PartB = own.PartB;
 
     /// <summary>Whether the contact is along a face of A.</summary>
     public readonly bool IsOfA = isOfA;
 
-    /// <summary>How far the two parts are apart, by their own way; negative where they overlap.</summary>
+    /// <summary>The distance of the two parts along their own way; negative where they overlap.</summary>
     public readonly float Own = own.Result.Distance;
 
-    /// <summary>That way, from A to B.</summary>
+    /// <summary>Their own way, from A to B.</summary>
     public readonly Vector3 OwnNormal = own.Result.Normal;
 
-    /// <summary>The face's normal, from A to B, where the contact is along the pair's own way, as that is much shorter;
-    /// else 0.</summary>
+    /// <summary>The normal of the face, from A to B, if the contact is along the pair's own way because that is much
+    /// shorter; else 0.</summary>
     public readonly Vector3 Shortened = shortened;
 
     /// <summary>A contact along its pair's own way.</summary>
@@ -32,7 +33,7 @@ internal readonly struct FaceContact(
     {
     }
 
-    /// <summary>The contact, named by the pair.</summary>
+    /// <summary>The contact, with the pair's own parts.</summary>
     public PairContacts OfOwnParts => new(PartA, PartB, Contact.Result, Contact.Manifold, Contact.Pair);
 
     /// <summary>False of a <c>default</c> struct.</summary>

@@ -1,62 +1,62 @@
 namespace Gjk.Core;
 
-/// <summary>Where a contact leads to a place at which a union goes on, the planes in which parts of it end together: a
+/// <summary>Finds planes in which parts of a union end together, where a contact's way leads to more of the union. A
 /// body's contact with one of the parts is along such a plane, with all points that the union shows.</summary>
 internal static class FlushSides
 {
-    /// <summary>Ratio of so far beyond a witness and so far beside it: more is behind what goes on steeply, less may be
-    /// rounded to its edge. Four times more or less is as good for SeamCornerTests.</summary>
+    /// <summary>Ratio of the step aside to the step beyond a witness: a larger one gets behind steep neighbours, a
+    /// smaller one may be rounded to their edge. Four times more or less is as good for SeamCornerTests.</summary>
     private const double Aside = 1.0 / 16;
 
-    /// <summary>Cosine: what goes on steeper is not seen from just beyond a witness, as that is rounded. Four times
-    /// more or less is as good for SeamCornerTests.</summary>
+    /// <summary>Cosine: steeper neighbours are not seen from just beyond a witness, which is rounded. Four times more
+    /// or less is as good for SeamCornerTests.</summary>
     private const double Steepest = 0.01;
 
-    /// <summary>A point just beyond a witness, and beside it to where the middle of what goes on there is: over that,
-    /// and not over its edge.</summary>
-    public static Double3 Beside(in Double3 witness, in Double3 outward, in Double3 middle)
+    /// <summary>A point just beyond a witness and a little towards the middle of the neighbour there, so that it is
+    /// over the neighbour's inside and not its edge.</summary>
+    public static Double3 PointBeside(in Double3 witness, in Double3 outward, in Double3 middle)
     {
         Double3 to = middle - witness, across = to - outward * Double3.Dot(to, outward);
         double length = across.Length, step = StepAt(witness, to.Length);
         return witness + outward * step + across * (length > step ? Aside * step / length : 0);
     }
 
-    /// <summary>A point just beyond one of a part that is so large.</summary>
+    /// <summary>A point just beyond another, for a part of the given size.</summary>
     public static Double3 JustBeyond(in Double3 point, in Double3 outward, double size) =>
         point + outward * StepAt(point, size);
 
     private static double StepAt(in Double3 point, double size) =>
         CoveredSides.Beyond * (CoveredSides.Room * size + CoveredSides.RoundingAt(point));
 
-    /// <summary>Adds the plane in which the union ends where it goes on from a witness, if all of it ends
-    /// there.</summary>
-    /// <param name="ends">Gets it.</param>
+    /// <summary>Adds the plane in which the union ends near a witness, if all of the union ends there.</summary>
+    /// <param name="ends">Gets the plane.</param>
     /// <param name="cover">The union around the contact.</param>
-    /// <param name="isNear">Whether the contact is no deeper than the pairs are near: what goes on is among
-    /// them.</param>
+    /// <param name="isNear">Whether the contact is no deeper than the gap of the pairs, so that the neighbours are
+    /// among these.</param>
     public static void AddEnd(List<OpenPlane> ends, in PartsCover cover, bool isNear)
     {
-        OpenPlane end = cover.EndNear();
+        OpenPlane end = cover.FindEnd();
         if (!(Double3.Dot(end.Normal, cover.Outward) > Steepest)) return;
         ConvexShape room = default;
         bool goesOn = cover.GoesOn(end.Foot, end.Normal)
             || CoveredSides.GoesOn(
-                cover.Part(ref room), cover.Side.Local(end.Foot), cover.Side.Turned(end.Normal), cover.Side.Rounding)
+                cover.OwnShape(ref room), cover.Side.ToLocal(end.Foot), cover.Side.ToLocalDirection(end.Normal),
+                cover.Side.Rounding)
             || (!isNear && cover.GoesOnAfar(end.Foot, end.Normal));
         if (!goesOn) CoveredSides.Add(ends, end);
     }
 
-    /// <summary>Gives a contact at a joint, whose way leads to where the union goes on, the direction in which the body
-    /// ends there: where the other body is the larger one and shows a face, that face's; else of all planes in which
-    /// the part ends with what is flush with it, the one along which the two are least deep.</summary>
+    /// <summary>Gives a contact at a joint, whose way leads into the union, the direction in which the body ends there.
+    /// If the other body is the larger one and shows a face, it is that of the face. Else it is that of a plane in
+    /// which the part ends together with others: the one along which the two are least deep.</summary>
     public static bool TryFlush(ConcaveScratch scratch, bool isA, ref PairContacts one, float maxGap)
     {
         PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
         int other = one.PartOf(!isA);
         ConvexShape room = default, otherRoom = default;
         var cover = new PartsCover(scratch, isA, one);
-        ref readonly ConvexShape own = ref cover.Part(ref room);
-        ref readonly ConvexShape shape = ref otherSide.Part(other, ref otherRoom);
+        ref readonly ConvexShape own = ref cover.OwnShape(ref room);
+        ref readonly ConvexShape shape = ref otherSide.ShapeOf(other, ref otherRoom);
         Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
         if (otherSide.RadiusWith(shape) > side.RadiusWith(own))
         {
@@ -83,46 +83,63 @@ internal static class FlushSides
         return isFlush;
     }
 
-    /// <summary>The contact of two parts along a way, with the points where the union ends just beyond them.</summary>
+    /// <summary>Replaces a contact by one along another way, with the points where the union ends just beyond
+    /// them.</summary>
     private static bool TryAlong(
         ConcaveScratch scratch, ref PairContacts contact, float maxGap, in Double3 way, in PartsCover cover)
     {
         bool isA = cover.IsA;
         if (!CoveredSides.TryPoints(scratch, isA, contact, maxGap, way, out ContactManifold manifold, out _))
             return false;
-        ConvexShape room = default;
-        double size = cover.Part(ref room).BoundingRadius;
-        ContactManifold shown = default;
-        shown.Begin((Vector3)(isA ? way : -way));
-        for (int i = 0; i < manifold.Count; i++)
-        {
-            Double3 foot = CoveredSides.FootOf(manifold[i], isA, cover.Side.Pose);
-            if (!cover.GoesOn(JustBeyond(foot, way, size), way)) shown.Add(manifold[i]);
-        }
-
+        ContactManifold shown = ShownPoints(manifold, way, cover);
         if (shown.Count == 0) return false;
-        contact = DeepestPoint.Contact(contact.PartA, contact.PartB, shown, contact);
+        contact = DeepestPoint.MakeContact(contact.PartA, contact.PartB, shown, contact);
         return true;
     }
 
-    /// <summary>Takes out the points lower than a contact's deepest one over which the body goes on, as at the slanting
-    /// edge of a wall's triangle.</summary>
+    /// <summary>Removes points lower than a contact's deepest one over which the body goes on, as at the slanting edge
+    /// of a wall's triangle.</summary>
     public static void KeepShown(ref PairContacts one, in PartsCover cover)
     {
-        ContactManifold manifold = one.Manifold, shown = default;
+        ContactManifold manifold = one.Manifold;
         if (manifold.Count < 2 || !cover.Side.HasJoints) return;
-        Double3 top = CoveredSides.FootOf(manifold[DeepestPoint.Of(manifold)], cover.IsA, cover.Side.Pose);
+        ContactManifold shown = ShownPoints(manifold, cover.Outward, cover, onlyLower: true);
+        if (shown.Count < manifold.Count) one = new PairContacts(one.PartA, one.PartB, one.Result, shown, one.Pair);
+    }
+
+    /// <summary>The points of a manifold that the body shows: without those just beyond which the body goes
+    /// on.</summary>
+    /// <param name="points">The points.</param>
+    /// <param name="way">From the body to the other one, of unit length.</param>
+    /// <param name="cover">The union around the contact.</param>
+    /// <param name="isFar">Whether the part that goes on may be far from the other body's part.</param>
+    /// <param name="onlyLower">Whether only points lower than the deepest one are left out.</param>
+    public static ContactManifold ShownPoints(
+        in ContactManifold points, in Double3 way, in PartsCover cover, bool isFar = false, bool onlyLower = false)
+    {
         ConvexShape room = default;
-        double size = cover.Part(ref room).BoundingRadius;
-        shown.Begin(manifold.Normal);
-        for (int i = 0; i < manifold.Count; i++)
+        double size = cover.OwnShape(ref room).BoundingRadius;
+        RigidPose pose = cover.Side.Pose;
+        Double3 top = CoveredSides.FootOf(points[DeepestPoint.IndexIn(points)], cover.IsA, pose);
+        ContactManifold shown = default;
+        shown.Begin(points.Normal);
+        for (int i = 0; i < points.Count; i++)
         {
-            Double3 foot = CoveredSides.FootOf(manifold[i], cover.IsA, cover.Side.Pose), to = foot - top;
-            bool isLower = Double3.Dot(to, cover.Outward) < -CoveredSides.RoomOf(top, to, cover.Side);
-            if (!isLower || !cover.GoesOn(JustBeyond(foot, cover.Outward, size), cover.Outward)) shown.Add(manifold[i]);
+            Double3 foot = CoveredSides.FootOf(points[i], cover.IsA, pose), to = foot - top;
+            Double3 beyond = JustBeyond(foot, way, size);
+            bool mayHide = !onlyLower || Double3.Dot(to, way) < -CoveredSides.RoomOf(top, to, cover.Side);
+            if (!mayHide || !(isFar ? cover.GoesOnAfar(beyond, way) : cover.GoesOn(beyond, way))) shown.Add(points[i]);
         }
 
-        if (shown.Count < manifold.Count) one = new PairContacts(one.PartA, one.PartB, one.Result, shown, one.Pair);
+        return shown;
+    }
+
+    /// <summary>The point of a part that is furthest along a direction, in the world.</summary>
+    public static Double3 Furthest(in ConvexShape own, in RigidPose pose, in Double3 direction)
+    {
+        RotationD turn = new(pose.Rotation);
+        own.Support(turn.InverseRotate(direction), out Double3 most);
+        return turn.Rotate(own.Center + most) + pose.Position + direction * own.Margin;
     }
 
     /// <summary>Whether a part ends in a plane.</summary>
@@ -130,21 +147,19 @@ internal static class FlushSides
     {
         RigidPose pose = side.Pose;
 
-        // A triangle ends at its edges too, but it is no wall there.
+        // A triangle also ends at its edges, but is no wall there.
         if (own.Kind == ShapeKind.Triangle
             && MetFeatures.Of(own, pose, (Vector3)plane.Normal, out _) != MetFeature.Face)
         {
             return false;
         }
 
-        RotationD turn = new(pose.Rotation);
-        own.Support(turn.InverseRotate(plane.Normal), out Double3 most);
-        Double3 top = turn.Rotate(own.Center + most) + pose.Position + plane.Normal * own.Margin;
-        Double3 to = top - plane.Foot;
+        Double3 to = Furthest(own, pose, plane.Normal) - plane.Foot;
         return Math.Abs(Double3.Dot(to, plane.Normal)) <= CoveredSides.RoomOf(plane.Foot, to, side);
     }
 
-    /// <summary>The direction against the face that a part shows to a direction, if that is near; else 0.</summary>
+    /// <summary>The direction against the face that a part shows, if that is close to the given direction; else
+    /// 0.</summary>
     private static Double3 FaceAgainst(PartSide side, int part, in ConvexShape shape, in Double3 direction)
     {
         if (side.Mesh is null)
@@ -153,7 +168,7 @@ internal static class FlushSides
             return isFace && !isRound ? direction : default;
         }
 
-        Double3 normal = new RotationD(side.Pose.Rotation).Rotate(ContactCone.NormalOf(side, part));
+        Double3 normal = side.ToWorldDirection(ContactCone.NormalOf(side, part));
         double along = Double3.Dot(normal, direction);
         if (!side.IsSolid && along > 0) (normal, along) = (-normal, -along);
         return along <= -ContactCone.LeastCosine ? -normal : default;

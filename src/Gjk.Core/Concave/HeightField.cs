@@ -101,7 +101,7 @@ public sealed class HeightField
         {
             int vertex = first + i / columns * Columns + i % columns;
             _mesh.SetHeight(vertex, heights[i], IsZUp);
-            moved.Add(_mesh.GetPlace(vertex));
+            moved.Add(_mesh.GetScaledVertex(vertex));
         }
 
         // A triangle that has moved holds the column of a vertex that has.

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>How a height field lies over its grid, and the lists of triangles of one that has holes or a base.
-/// Immutable once these are made; scaled copies share it.</summary>
+/// <summary>The grid of a height field, and the triangles of one that has holes or a base. Immutable once these are
+/// listed; scaled copies share it.</summary>
 internal sealed class HeightGrid(int columns, int rows, Vector2 spacing, bool isZUp, float? baseHeight)
 {
     public readonly int Columns = columns, Rows = rows, CellCount = (columns - 1) * (rows - 1);
@@ -9,7 +9,7 @@ internal sealed class HeightGrid(int columns, int rows, Vector2 spacing, bool is
     public readonly bool IsZUp = isZUp;
     public readonly float? BaseHeight = baseHeight;
 
-    /// <summary>The cell of each pair of triangles, those on top first; null where each cell has one, in their
+    /// <summary>The cell of each pair of triangles, those on top first; null where every cell has one pair, in
     /// order.</summary>
     private int[]? _cells;
 
@@ -30,16 +30,18 @@ internal sealed class HeightGrid(int columns, int rows, Vector2 spacing, bool is
     /// <param name="isHole">Which cells are left out; not all.</param>
     /// <param name="points">The vertices of the grid, then those of the bottom.</param>
     /// <param name="corners">Three for each triangle.</param>
-    public void List(TriangleList plain, bool[] isHole, out Vector3[] points, out int[] corners)
+    public void ListTriangles(TriangleList plain, bool[] isHole, out Vector3[] points, out int[] corners)
     {
         List<int> triangles = [], cells = [];
         for (int cell = 0; cell < CellCount; cell++)
         {
             if (isHole[cell]) continue;
-            plain.Corners(6 * cell, out int a, out int b, out int c);
-            triangles.AddRange([a, b, c]);
-            plain.Corners(6 * cell + 3, out a, out b, out c);
-            triangles.AddRange([a, b, c]);
+            for (int side = 6 * cell; side < 6 * cell + 6; side += 3)
+            {
+                plain.GetVertices(side, out int a, out int b, out int c);
+                triangles.AddRange([a, b, c]);
+            }
+
             cells.Add(cell);
         }
 
@@ -72,13 +74,13 @@ internal sealed class HeightGrid(int columns, int rows, Vector2 spacing, bool is
         }
     }
 
-    /// <summary>Two triangles below each side of the top that has no neighbour, and which the top has on its
-    /// left.</summary>
+    /// <summary>Adds two triangles below each side of the top that has no neighbour. The top is on the left of such a
+    /// side.</summary>
     private void AddWalls(List<int> triangles, List<int> cells, int below, bool[] isHole)
     {
         for (int i = 0; i < 6 * _tops; i++)
         {
-            int from = triangles[i], to = triangles[i % 3 == 2 ? i - 2 : i + 1];
+            int from = triangles[i], to = triangles[TriangleList.NextSide(i)];
             if (!IsBorder(cells[i / 6], from, to, isHole)) continue;
             triangles.AddRange([to, from, from + below, to, from + below, to + below]);
             cells.Add(cells[i / 6]);

@@ -1,12 +1,12 @@
 namespace Gjk.Core;
 
-/// <summary>Static objects of a scene that a body touches, such as the tiles of a floor: they count as one body, whose
-/// parts are joined as those of a compound.</summary>
+/// <summary>Static objects of a scene that a body touches, such as the tiles of a floor. They count as one body, whose
+/// parts are joined like those of a compound.</summary>
 internal static class JoinedGrounds
 {
     /// <summary>Adds a static object, unless it is further away than a gap.</summary>
     public static void Add(
-        ConcaveScratch scratch, in AnyShape shape, in RigidPose pose, in Aabb box, int name, float maxGap)
+        ConcaveScratch scratch, in AnyShape shape, in RigidPose pose, in Aabb box, int pairIndex, float maxGap)
     {
         if (scratch.GroundCount == scratch.Grounds.Count) scratch.Grounds.Add(new PartSide());
         PartSide ground = scratch.Grounds[scratch.GroundCount], own = scratch.A;
@@ -17,22 +17,23 @@ internal static class JoinedGrounds
         if (scratch.Near.Count == 0) return;
         InPlaceSort.Sort(scratch.Near);
         foreach (PairDistance near in scratch.Near)
-            scratch.Pairs.Add(near.Of(new ObjectPair(scratch.GroundCount, PartSide.NoPart)));
-        (ground.Name, ground.PairsEnd) = (name, scratch.Pairs.Count);
-        ground.Join(box);
+            scratch.Pairs.Add(near.WithPair(new ObjectPair(scratch.GroundCount, PartSide.NoPart)));
+        (ground.PairIndex, ground.PairsEnd) = (pairIndex, scratch.Pairs.Count);
+        ground.JoinOthers(box);
         scratch.GroundCount++;
     }
 
     /// <summary>Finds the contacts of the body with all of them.</summary>
     /// <param name="scratch">With the grounds, at least one.</param>
     /// <param name="maxGap">In world units.</param>
-    /// <param name="contacts">Cleared, then the contacts; A of a pair is the ground's number in the scratch.</param>
+    /// <param name="contacts">Cleared, then the contacts. A of a pair is the number of the static object in the
+    /// scratch.</param>
     public static void FindContacts(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
         contacts.Clear();
         PartSide own = scratch.A;
         scratch.A = scratch.Grounds[0];
-        ConcaveQuery.FindOfPairs(scratch, maxGap, contacts);
+        ConcaveQuery.FindPairContacts(scratch, maxGap, contacts);
         scratch.A = own;
     }
 
@@ -51,31 +52,31 @@ internal static class JoinedGrounds
         return false;
     }
 
-    /// <summary>Whether a point is on a convex part, or on another one of its body that is near.</summary>
+    /// <summary>Whether a point is on a convex part, or on another near part of its body.</summary>
     public static bool IsOn(
         ConcaveScratch scratch, PartSide side, bool isA, in ConvexShape shape, in Double3 point)
     {
         if (CoveredSides.IsOn(shape, point)) return true;
         if (side.IsConvex) return false;
         ConvexShape room = default;
-        Double3 world = CoveredSides.InWorld(point, side.Pose);
+        Double3 world = side.ToWorld(point);
         for (int i = 0; i < Math.Max(scratch.GroundCount, 1); i++)
         {
             PartSide of = scratch.SideOf(i, isA);
             if (of != side && !of.MayHold(world)) continue;
-            Double3 local = of == side ? point : of.Local(world);
+            Double3 local = of == side ? point : of.ToLocal(world);
             (int begin, int end) = scratch.PairsOf(i);
             for (int k = begin; k < end; k++)
             {
                 PairDistance near = scratch.Pairs[k];
-                if (CoveredSides.IsOn(of.Part(isA ? near.PartA : near.PartB, ref room), local)) return true;
+                if (CoveredSides.IsOn(of.ShapeOf(isA ? near.PartA : near.PartB, ref room), local)) return true;
             }
         }
 
         return false;
     }
 
-    /// <summary>Whether what is just beyond a point of the world is in a solid.</summary>
+    /// <summary>Whether the point just beyond a point of the world is in a solid.</summary>
     public static bool IsInside(ConcaveScratch scratch, PartSide side, in Double3 point, in Double3 direction) =>
         side.Insides.Length > 0
         && Containment.Holds(scratch, side, FlushSides.JustBeyond(point, direction, side.Tree.Radius));

@@ -1,31 +1,30 @@
 namespace Gjk.Core;
 
-/// <summary>The corner of a mesh to which its surface climbs along a direction, from a triangle and from corner to
-/// corner: what a solid's triangle belongs to that is behind a face.</summary>
+/// <summary>Climbs a mesh's surface along a direction, from a triangle and from corner to corner, to its tip. It shows
+/// which part of a solid a triangle behind a face belongs to.</summary>
 internal static class MeshClimb
 {
-    /// <summary>Count: a tip that is more corners away is another part of the surface. More costs time only.</summary>
+    /// <summary>Count: the most corners on the way. A tip further away is another part of the surface. More costs time
+    /// only.</summary>
     private const int MostSteps = 32;
 
     /// <param name="mesh">The surface.</param>
-    /// <param name="triangle">Where to begin.</param>
+    /// <param name="triangle">The triangle to begin at.</param>
     /// <param name="direction">In the mesh's frame.</param>
-    /// <param name="corner">The lowest of the sides that begin at the corner.</param>
-    /// <returns>False where it is further away than is looked.</returns>
+    /// <param name="corner">The tip, as the lowest-numbered side that begins there.</param>
+    /// <returns>False where the tip is too many corners away.</returns>
     public static bool TryFind(TriangleMesh mesh, int triangle, in Double3 direction, out int corner)
     {
         corner = 3 * triangle;
         double height = Double3.Dot(direction, mesh.GetCorner(corner));
-        Climb(mesh, corner + 1, direction, ref corner, ref height);
-        Climb(mesh, 3 * triangle + 2, direction, ref corner, ref height);
+        Climb(mesh, 3 * triangle, direction, ref corner, ref height);
         for (int step = 0; step < MostSteps; step++)
         {
             int before = corner, lowest = corner;
             for (CornerRing ring = mesh.SidesAt(before); ring.MoveNext();)
             {
                 lowest = Math.Min(lowest, ring.Current);
-                Climb(mesh, ContactCone.After(ring.Current), direction, ref corner, ref height);
-                Climb(mesh, ContactCone.Before(ring.Current), direction, ref corner, ref height);
+                Climb(mesh, ring.Current, direction, ref corner, ref height);
             }
 
             if (corner == before) ClimbOverFlat(mesh, before, direction, ref corner, ref height);
@@ -37,7 +36,8 @@ internal static class MeshClimb
         return false;
     }
 
-    /// <summary>A corner on the long edge of a triangle without area hides what is joined to that edge.</summary>
+    /// <summary>Climbs also from the corners of triangles without area: a corner on the long edge of one hides what is
+    /// joined to that edge.</summary>
     private static void ClimbOverFlat(
         TriangleMesh mesh, int side, in Double3 direction, ref int corner, ref double height)
     {
@@ -45,17 +45,18 @@ internal static class MeshClimb
         {
             mesh.GetCorners(ring.Current / 3, out Double3 a, out Double3 b, out Double3 c);
             if (!ContactCone.IsFlat(a, b, c)) continue;
-            for (CornerRing end = mesh.SidesAt(ContactCone.After(ring.Current)); end.MoveNext();)
-            {
-                Climb(mesh, ContactCone.After(end.Current), direction, ref corner, ref height);
-                Climb(mesh, ContactCone.Before(end.Current), direction, ref corner, ref height);
-            }
+            for (CornerRing end = mesh.SidesAt(TriangleList.NextSide(ring.Current)); end.MoveNext();)
+                Climb(mesh, end.Current, direction, ref corner, ref height);
         }
     }
 
+    /// <summary>Climbs to the higher of a triangle's other two corners, if that is the highest so far.</summary>
     private static void Climb(TriangleMesh mesh, int side, in Double3 direction, ref int corner, ref double height)
     {
-        double found = Double3.Dot(direction, mesh.GetCorner(side));
-        if (found > height) (corner, height) = (side, found);
+        for (int other = TriangleList.NextSide(side); other != side; other = TriangleList.NextSide(other))
+        {
+            double found = Double3.Dot(direction, mesh.GetCorner(other));
+            if (found > height) (corner, height) = (other, found);
+        }
     }
 }

@@ -2,11 +2,11 @@ using System.Linq;
 
 namespace Gjk.Core;
 
-/// <summary>What a list of triangles is like: which edges they share, which are degenerate or repeated, and which hang
-/// together. Vertices at the same place are one vertex; no tolerance joins others.</summary>
+/// <summary>The topology of a list of triangles: shared edges, degenerate and repeated triangles, and connected pieces.
+/// Vertices at the same place are one vertex; no tolerance joins others.</summary>
 internal sealed class MeshTopology
 {
-    // While it is built.
+    // Used only while it is built.
     private readonly int[] _corners, _indices, _component;
 
     /// <summary>The first vertex at the place of each; empty for a grid.</summary>
@@ -33,7 +33,8 @@ internal sealed class MeshTopology
         _borders = [];
     }
 
-    /// <summary>The same triangles with their vertices moved, which joins mostly the same ones.</summary>
+    /// <summary>The topology after the vertices have moved. In most cases the same vertices are joined, and it can be
+    /// reused.</summary>
     public MeshTopology WithVertices(Vector3[] vertices, int[] indices)
     {
         if (!Joined(vertices).SequenceEqual(_joined)) return new MeshTopology(vertices, indices);
@@ -45,7 +46,7 @@ internal sealed class MeshTopology
     private static bool IsDegenerate(HullPredicates predicates, int a, int b, int c) =>
         a == b || b == c || c == a || predicates.AreCollinear(a, b, c);
 
-    /// <summary>What is known of a grid without a look: its outline is open.</summary>
+    /// <summary>The topology of a grid, which needs no search: its outline is open.</summary>
     public MeshTopology(int columns, int rows, bool isZUp)
     {
         (_corners, _indices, _component, Around) = ([], [], [], []);
@@ -64,7 +65,7 @@ internal sealed class MeshTopology
     /// <summary>Whether triangles go along each edge as often in one direction as in the other, or once more.</summary>
     public bool IsOriented { get; private set; } = true;
 
-    /// <summary>An edge that no closed and oriented surface has: two vertices; -1 where there is none.</summary>
+    /// <summary>The ends of an edge that no closed and oriented surface has; -1 where there is none.</summary>
     public int FaultyA { get; private set; } = -1;
 
     /// <inheritdoc cref="FaultyA"/>
@@ -76,8 +77,8 @@ internal sealed class MeshTopology
     /// <inheritdoc cref="FaultyAlong"/>
     public int FaultyAgainst { get; private set; }
 
-    /// <summary>Of each side of a triangle (three times the triangle, and the corner at which it begins) the next one
-    /// that begins at the same place, in a ring.</summary>
+    /// <summary>For each side of a triangle (three times the triangle, plus the corner at which it begins), the next
+    /// one that begins at the same place, in a ring.</summary>
     public int[] Around { get; }
 
     /// <summary>The sides that are edges of one triangle alone; empty for a grid.</summary>
@@ -94,8 +95,8 @@ internal sealed class MeshTopology
     /// <summary>One triangle of each connected part: the first.</summary>
     public int[] Components { get; private set; } = [];
 
-    /// <summary>Of each vertex the number of its connected part in <see cref="Components"/>; empty where there is
-    /// one.</summary>
+    /// <summary>For each vertex the number of its connected part in <see cref="Components"/>; empty where there is one
+    /// part.</summary>
     public int[] Pieces { get; private set; } = [];
 
     /// <summary>The first vertex at each vertex's place.</summary>
@@ -113,7 +114,7 @@ internal sealed class MeshTopology
         return joined;
     }
 
-    /// <summary>Hangs the sides that begin at each vertex together, in their order.</summary>
+    /// <summary>Links the sides that begin at each vertex into rings, in their order.</summary>
     private static int[] RingsAround(int[] corners, int vertices)
     {
         int[] first = new int[vertices], around = new int[corners.Length];
@@ -134,7 +135,7 @@ internal sealed class MeshTopology
         int[] sides = new int[_corners.Length];
         for (int i = 0; i < keys.Length; i++)
         {
-            int a = _corners[i], b = _corners[i % 3 == 2 ? i - 2 : i + 1];
+            int a = _corners[i], b = _corners[TriangleList.NextSide(i)];
             keys[i] = ((ulong)(uint)Math.Min(a, b) << 32) | (uint)Math.Max(a, b);
             sides[i] = i;
         }
@@ -165,12 +166,12 @@ internal sealed class MeshTopology
         if (Math.Abs(along - against) > 1) IsOriented = false;
         if (along == against || (FaultyA >= 0 && first > _faulty)) return;
         _faulty = first;
-        (FaultyA, FaultyB) = (_indices[first], _indices[first % 3 == 2 ? first - 2 : first + 1]);
-        bool isAlong = _corners[first] < _corners[first % 3 == 2 ? first - 2 : first + 1];
+        (FaultyA, FaultyB) = (_indices[first], _indices[TriangleList.NextSide(first)]);
+        bool isAlong = _corners[first] < _corners[TriangleList.NextSide(first)];
         (FaultyAlong, FaultyAgainst) = isAlong ? (along, against) : (against, along);
     }
 
-    /// <summary>Counts the triangles of an edge that repeat one another, at the edge of their two lowest
+    /// <summary>Counts the repeated triangles at an edge. Each is counted at the edge of its two lowest
     /// corners.</summary>
     private void CountDuplicates(int[] sides, int begin, int end, List<int> thirds)
     {
@@ -178,10 +179,10 @@ internal sealed class MeshTopology
         for (int i = begin; i < end; i++)
         {
             int side = sides[i], first = side - side % 3;
-            int from = _corners[side], to = _corners[side % 3 == 2 ? first : side + 1];
-            int third = _corners[side % 3 == 0 ? side + 2 : side - 1], high = Math.Max(from, to);
+            int from = _corners[side], to = _corners[TriangleList.NextSide(side)];
+            int third = _corners[TriangleList.PreviousSide(side)], high = Math.Max(from, to);
 
-            // Where corners are equal, one of the triangle's sides counts.
+            // If corners are equal, only one of the triangle's sides counts.
             bool isOne = from < to || (from == to && side == first);
             if (third > high || (third == high && isOne)) thirds.Add(third);
         }

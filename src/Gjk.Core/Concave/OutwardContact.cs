@@ -1,13 +1,14 @@
 namespace Gjk.Core;
 
-/// <summary>A solid in a compound pushes outward only. Where the shortest way out of one of its triangles leads inward,
-/// the way along that triangle's face may stand for it, if nothing else pushes.</summary>
+/// <summary>Replaces contacts that push into a solid of a compound, which pushes outward only. Where the shortest way
+/// out of one of its triangles leads inward, the way along that triangle's face may replace it, if nothing else
+/// pushes.</summary>
 internal static class OutwardContact
 {
-    /// <summary>Takes the contact of two parts, if it pushes into a solid.</summary>
-    /// <param name="scratch">Gets what may stand for it.</param>
+    /// <summary>Replaces the contact of two parts if it pushes into a solid.</summary>
+    /// <param name="scratch">Gets the contact that may replace it.</param>
     /// <param name="own">The contact.</param>
-    /// <param name="normal">Its normal, not rounded.</param>
+    /// <param name="normal">Its normal before rounding.</param>
     /// <param name="maxGap">In world units.</param>
     /// <returns>False where it pushes outward, or is of no solid's triangle.</returns>
     public static bool TryReplace(ConcaveScratch scratch, in PairContacts own, in Double3 normal, float maxGap)
@@ -16,8 +17,8 @@ internal static class OutwardContact
         if (!isOfA && !IsInward(scratch.B, own.PartB, -normal, out outward)) return false;
         PairContacts held = own;
 
-        // What is apart from a triangle and behind it touches nothing there.
-        if (own.Result.Distance <= 0 && CoveredSides.TryAlong(scratch, isOfA, ref held, maxGap, outward))
+        // A part that is behind a triangle and apart from it touches nothing there.
+        if (own.Result.Distance <= 0 && CoveredSides.TryReplaceAlong(scratch, isOfA, ref held, maxGap, outward))
             scratch.FaceContacts.Add(new FaceContact(held, own, isOfA));
         return true;
     }

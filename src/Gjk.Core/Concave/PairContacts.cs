@@ -34,7 +34,7 @@ public readonly struct PairContacts : IComparable<PairContacts>
     internal int PartOf(bool isA) => isA ? PartA : PartB;
 
     /// <summary>The same with two objects of a scene.</summary>
-    internal PairContacts Of(ObjectPair pair) => new(PartA, PartB, Result, Manifold, pair);
+    internal PairContacts WithPair(ObjectPair pair) => new(PartA, PartB, Result, Manifold, pair);
 
     /// <summary>The same of two shapes that are none of a scene's, with A and B exchanged.</summary>
     internal PairContacts Swapped => new(PartB, PartA, Result.Swapped, Manifold.Swapped);

@@ -38,7 +38,7 @@ public readonly struct PairDistance : IComparable<PairDistance>
     public bool IsOverlapping => Result.IsOverlapping;
 
     /// <summary>The same with two objects of a scene.</summary>
-    internal PairDistance Of(ObjectPair pair) => new(Result, PartA, PartB, pair);
+    internal PairDistance WithPair(ObjectPair pair) => new(Result, PartA, PartB, pair);
 
     /// <summary>By the objects, then by the part of A, then by that of B.</summary>
     public int CompareTo(PairDistance other)

@@ -1,26 +1,26 @@
 namespace Gjk.Core;
 
-/// <summary>When parts of two bodies that move and turn first touch: conservative advancement of the whole bodies, and
-/// of their parts where those come near.</summary>
+/// <summary>Finds when parts of two bodies that move and turn first touch: conservative advancement of the whole
+/// bodies, and of their parts where those come near.</summary>
 /// <remarks>Idea (Mirtich 1996, section 2.3; for trees Tang, Kim and Manocha 2009): bodies at a distance do not touch
-/// before they could have closed it at their greatest speed, so time goes on by that much. Where they are near, the
-/// parts that could touch in a short piece of time are looked at: most are proved apart for the piece, by planes that
-/// move as they do (<see cref="ConvexQuery.StaysApart"/>), and the others are asked for their own time of impact, which
+/// before they could have closed it at their greatest speed, so time advances by that much. Where they are near, the
+/// search looks at the parts that could touch within a short piece of time. Planes that move with the parts prove most
+/// of them apart (<see cref="ConvexQuery.StaysApart"/>). For the others
 /// <see cref="ConvexQuery.TimeOfImpact{TA, TB}(in TA, in RigidMotion, in TB, in RigidMotion, float, float, in
-/// CastOptions)"/> answers from the whole motion. Deviation: nothing is answered here. The pieces only say which parts
-/// need not be asked, and so the result is that of all pairs asked in turn. Exactness: a pose at a fraction is rounded
-/// to float; <see cref="PoseRounding"/> is added to every reach; from where no float has a pose the whole motion is one
-/// piece. It ends: after <see cref="MostSteps"/> pieces and distances the rest of the motion is one piece.</remarks>
+/// CastOptions)"/> answers from the whole motion. Deviation: no answer is made here. The pieces only rule parts out, so
+/// the result is that of all pairs in turn. Exactness: a pose at a fraction is rounded to float;
+/// <see cref="PoseRounding"/> is added to every reach. From where no float has a pose, the whole motion is one piece.
+/// It ends: after <see cref="MostSteps"/> pieces and distances the rest of the motion is one piece.</remarks>
 internal static class PartAdvancement
 {
-    /// <summary>Ratio to the trees' reach: 2^-6; how far the bodies go in the first piece. It changes the cost alone:
-    /// longer ones ask more parts, shorter ones more distances. No test can tell.</summary>
+    /// <summary>Ratio to the trees' reach: 2^-6; how far the bodies move in the first piece. It changes the time only,
+    /// so no test sees it: longer pieces measure more parts, shorter ones more distances.</summary>
     private const double Near = 1.0 / (1 << 6);
 
-    /// <summary>Count: so many pairs of parts cost about as much as a distance of the bodies. A piece after one
-    /// with fewer is twice as long; after one that got less far for its cost than the distance does, it is half. Where
-    /// the bodies are about as near as parts that touch, distances lead nowhere, and each piece is twice as long. It
-    /// changes the cost alone.</summary>
+    /// <summary>Count: so many pairs of parts cost about as much as one distance of the bodies. After a piece with
+    /// fewer, the next one is twice as long. After a piece that got less far for its cost than a distance would, it is
+    /// half as long. Where the bodies are about as near as parts that touch, distances lead nowhere, and each piece is
+    /// twice as long. It changes the time only.</summary>
     private const int PartsPerDistance = 32;
 
     /// <summary>Ratio to the reach and the position: 2^-21. Rounding a quaternion's four parts to float turns by at
@@ -41,7 +41,7 @@ internal static class PartAdvancement
         double reachA = Reach(sideA), reachB = Reach(sideB), speed = search.Speed, from = 0;
         double span = Near * (reachA + reachB) / speed;
         int nearestA = PartSide.NoPart, nearestB = PartSide.NoPart;
-        for (search.Steps = 0; from <= search.Last; search.Steps++)
+        for (search.Steps = 0; from <= search.LastFraction; search.Steps++)
         {
             bool isPosed = TryPoseAt(motion.A, from, out sideA.Pose) & TryPoseAt(motion.B, from, out sideB.Pose);
             if (!isPosed || search.Steps >= MostSteps)
@@ -64,11 +64,11 @@ internal static class PartAdvancement
             }
 
             double to = from + span;
-            int before = search.Asked;
+            int before = search.QueryCount;
             search.RestrictTo(scratch, from, to, rounding);
             PartCastSearch.Run(scratch);
-            int asked = search.Asked - before;
-            if (to >= search.Last) break;
+            int asked = search.QueryCount - before;
+            if (to >= search.LastFraction) break;
             from = to;
             if (asked < PartsPerDistance || free <= room) span *= 2;
             else if (asked * free > PartsPerDistance * span) span /= 2;
@@ -78,7 +78,7 @@ internal static class PartAdvancement
         sideB.Pose = motion.B.Pose;
     }
 
-    /// <summary>The furthest point of a side from its position, or more.</summary>
+    /// <summary>A bound of the distance of a side's furthest point from its position.</summary>
     private static double Reach(PartSide side) => side.Tree.Origin.Length + side.Tree.Radius + side.Margin;
 
     private static double RoundingOf(PartSide a, PartSide b) =>
@@ -86,7 +86,7 @@ internal static class PartAdvancement
 
     private static double Size(in RigidPose pose) => ((Double3)pose.Position).SumOfMagnitudes;
 
-    /// <summary>The pose at a fraction, or the first one where float has no such pose.</summary>
+    /// <summary>The pose at a fraction; the first pose where float has no pose there.</summary>
     public static RigidPose PoseAt(in RigidMotion motion, double fraction) =>
         TryPoseAt(motion, fraction, out RigidPose pose) ? pose : motion.Pose;
 

@@ -1,12 +1,13 @@
 namespace Gjk.Core;
 
-/// <summary>The pair of parts that touches first: as <see cref="PartPairSearch"/>, with bounds of the fraction instead
-/// of the distance.</summary>
-/// <remarks>The way that B's box goes, seen from A's, until they meet bounds the fraction; of bodies that turn, their
-/// distance where the search begins, which closes no faster than the velocities and the turns of the furthest points
-/// allow. <see cref="PartAdvancement"/> says where that is. Exactness: parts are asked up to the float after the least
-/// fraction so far, since a contact may be found behind it and still round to it; of those that are equal in
-/// <see cref="ContactOrder"/> the best feature stays, then the least numbers: that of all pairs in turn.</remarks>
+/// <summary>Finds the pair of parts that touches first: as <see cref="PartPairSearch"/>, with bounds of the fraction
+/// instead of the distance.</summary>
+/// <remarks>The fraction is bounded by the way that B's box goes, seen from A's, until they meet. For bodies that turn,
+/// it is bounded by their distance where the search begins: that closes no faster than the velocities and the turns of
+/// the furthest points allow. <see cref="PartAdvancement"/> chooses where it begins. Exactness: parts are cast up to
+/// the float after the least fraction so far, since a later contact may still round to it. Of contacts that are equal
+/// in <see cref="ContactOrder"/> the best feature stays, then the least numbers: the result is that of all pairs in
+/// turn.</remarks>
 internal struct PartCastSearch
 {
     /// <summary>Ratio: 2^-18; more than rounding makes of the products with a fraction. More only costs time.</summary>
@@ -20,14 +21,14 @@ internal struct PartCastSearch
     /// (<see cref="ConvexQuery.CoarsestTolerance"/>). More only costs time, counted by ImpactAgreementTests.</summary>
     private const double MostRoom = 1.0 / (1 << 6);
 
-    /// <summary>Count: after so many parts, and each twice as many, a plane is tried. Only the cost changes.</summary>
+    /// <summary>Count: a plane is tried after so many parts, and after each doubling. A matter of speed.</summary>
     private const int IdleBeforeProof = 16;
 
-    /// <summary>Bits: even powers of two; there a triangle's own plane is tried, else a distance's.</summary>
+    /// <summary>Bits: even powers of two. There a triangle's own plane is tried, else that of the distance.</summary>
     private const int OtherPowers = 0x55555555;
 
-    /// <summary>Ratio to the radii: 2^-40; more than rounding makes of a cast's way, so that a largest fraction cuts
-    /// off none that another part's rounds to. More only costs time. Pinned by SmallBesideLargeTests.</summary>
+    /// <summary>Ratio to the radii: 2^-40, more than rounding makes of a cast's way, so that no part is excluded whose
+    /// fraction rounds to the largest one. More only costs time. Pinned by SmallBesideLargeTests.</summary>
     private const double WayError = 1.0 / (1L << 40);
 
     private PartMotion _motion;
@@ -36,10 +37,10 @@ internal struct PartCastSearch
     private double _length, _maxFraction, _from, _to, _margins;
     private float _reached, _room;
 
-    /// <summary>The best so far, by the fraction of the whole motion, or a ray's distance.</summary>
+    /// <summary>The best contact so far, by the fraction of the whole motion, or a ray's distance.</summary>
     private ContactOrder _best;
 
-    /// <summary>B's motion from where it is out of the union, if it begins deeper in that than is allowed.</summary>
+    /// <summary>B's motion from its pose outside the union, if it begins deeper in that than is allowed.</summary>
     private RigidMotion _lifted;
     private Double3 _lift, _wayOfLifted;
     private CastOptions _liftedOptions;
@@ -48,35 +49,34 @@ internal struct PartCastSearch
     /// <summary>Which sides a ray meets.</summary>
     public RaySides Sides;
 
-    /// <summary>Takes every hit of a ray, where it is not null.</summary>
-    public List<RayHit>? All;
+    /// <summary>Gets every hit of a ray, where it is not null.</summary>
+    public List<RayHit>? CollectedRays;
 
-    /// <summary>Takes every pair that is met, where it is not null.</summary>
-    public List<CastHit>? AllCasts;
+    /// <summary>Gets every hit of a cast, where it is not null.</summary>
+    public List<CastHit>? CollectedCasts;
 
-    /// <summary>What the parts said; of a ray the other one.</summary>
+    /// <summary>The first contact of a cast or impact; for a ray see <see cref="Ray"/>.</summary>
     public CastResult Cast;
 
     /// <inheritdoc cref="Cast"/>
     public RayCastResult Ray;
 
-    /// <summary>What of the parts meets.</summary>
+    /// <summary>Which features of the parts meet.</summary>
     public MetFeature Feature;
 
     /// <summary>The parts that touch first; negative where there are none.</summary>
     public int PartA, PartB;
 
-    /// <summary>How many pairs of parts were looked at, and how many pieces and distances of the bodies there
-    /// were.</summary>
-    public int Asked, Steps;
+    /// <summary>How many pairs of parts were cast, and how many pieces and distances of the bodies.</summary>
+    public int QueryCount, Steps;
 
-    /// <summary>World units per fraction: no faster does any distance close.</summary>
+    /// <summary>World units per fraction: the fastest that any distance closes.</summary>
     public readonly double Speed => _length;
 
-    /// <summary>The last fraction that may still be the least.</summary>
-    public readonly double Last => Math.Min(_maxFraction, _best.Solved);
+    /// <summary>The largest fraction that may still be the least.</summary>
+    public readonly double LastFraction => Math.Min(_maxFraction, _best.Solved);
 
-    /// <summary>World units: parts of an impact that are further apart do not touch.</summary>
+    /// <summary>World units: parts of an impact further apart than this do not touch.</summary>
     public readonly double TouchRoom =>
         Math.Max(Math.Min(_motion.Tolerance, MostRoom * Size), ImpactRoom * Size) * Beyond;
 
@@ -101,30 +101,31 @@ internal struct PartCastSearch
         _wayInB = (Vector3)_frame.Rotation.InverseRotate(-inA);
         PartA = PartB = -1;
         _isLifted = false;
-        Asked = Steps = 0;
+        QueryCount = Steps = 0;
         _best = new ContactOrder(double.PositiveInfinity, CastStatus.Miss, 0);
         SetReached(_maxFraction);
     }
 
-    /// <summary>Passes also what B does not get deeper into if it begins elsewhere.</summary>
-    public void Lift(in RigidPose pose, in Double3 lift)
+    /// <summary>Also passes contacts that get no deeper from another pose of B, outside the union.</summary>
+    public void SetLifted(in RigidPose pose, in Double3 lift)
     {
         bool turns = (_motion.A.AngularVelocity, _motion.B.AngularVelocity) != default;
         (_isLifted, _lift, _wayOfLifted) = (true, lift, turns ? default : _motion.Way);
         _lifted = new RigidMotion(pose, _motion.B.Velocity, _motion.B.AngularVelocity);
-        _liftedOptions = UnionLift.Within(UnionLift.RoundingOf(_motion.A.Pose) + UnionLift.RoundingOf(pose));
+        // By no more than rounding: it begins deeper than is allowed, and what it sinks by in short steps adds up.
+        _liftedOptions = CastOptions.OnlyDeeper(UnionLift.RoundingOf(_motion.A.Pose) + UnionLift.RoundingOf(pose));
     }
 
-    /// <summary>Looks at a piece of the motion only, of parts that do not touch before it.</summary>
+    /// <summary>Restricts the search to a piece of the motion, of parts that do not touch before it.</summary>
     /// <param name="scratch">With both sides posed at the first fraction.</param>
     /// <param name="from">The fraction that it begins at.</param>
     /// <param name="to">The one that it ends at.</param>
-    /// <param name="rounding">World units: so far the sides may be from where the motion has them.</param>
+    /// <param name="rounding">World units: by so much the poses may differ from those of the motion.</param>
     public void RestrictTo(ConcaveScratch scratch, double from, double to, double rounding)
     {
         (_from, _to) = (from, to);
         ComposeFrame(scratch, rounding);
-        SetReached(Last);
+        SetReached(LastFraction);
     }
 
     private void ComposeFrame(ConcaveScratch scratch, double rounding)
@@ -143,7 +144,7 @@ internal struct PartCastSearch
             // Parts that share no point at the start never meet.
             PartPairSearch.Collect(scratch, 0, scratch.Pairs);
             foreach (PairDistance pair in scratch.Pairs)
-                search.Ask(scratch, Math.Max(pair.PartA, 0), Math.Max(pair.PartB, 0));
+                search.CastParts(scratch, Math.Max(pair.PartA, 0), Math.Max(pair.PartB, 0));
             return;
         }
 
@@ -153,25 +154,25 @@ internal struct PartCastSearch
         PlaneProof plane = scratch.Plane;
         plane.Clear();
         heap.Clear();
-        heap.Add(0, 0, 0);
+        heap.Push(0, 0, 0);
         fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
         {
-            while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search._reached)
+            while (heap.TryPop(out PartHeap.Entry pair) && pair.Bound <= search._reached)
             {
                 if (plane.IsUntried && plane.IsWholeNoNearer(scratch.A, scratch.B)) return;
                 if (plane.IsSet && plane.IsNoNearer(scratch.A, pair.A, scratch.B, pair.B)) continue;
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
                 if (childA < 0 && childB < 0)
                 {
-                    search.AskLeaves(scratch, childA, childB);
+                    search.CastLeaves(scratch, childA, childB);
                     continue;
                 }
 
-                bool isA = search._frame.Open(
+                bool isA = search._frame.ChooseOpened(
                     boxesA, pair.A, childA, boxesB, pair.B, childB, out float* node, out float factor,
                     out TurnedBox other);
-                search.Bounds(isA, node, factor, other, bounds);
-                heap.AddBelow(pair, isA, isA ? a.Children : b.Children, bounds, search._reached);
+                search.FindBounds(isA, node, factor, other, bounds);
+                heap.PushChildren(pair, isA, isA ? a.Children : b.Children, bounds, search._reached);
             }
         }
     }
@@ -185,11 +186,11 @@ internal struct PartCastSearch
         return (v * (1 / unit)).Length * unit;
     }
 
-    /// <summary>How fast the furthest point of a side moves about its position.</summary>
+    /// <summary>The speed of a side's furthest point about its position.</summary>
     private static double Spin(PartSide side, Vector3 turn) =>
         Length(turn) * (Length(side.Tree.Origin) + side.Tree.Radius + side.Margin) * Beyond;
 
-    /// <summary>What bounds are compared with, for a fraction, or a ray's distance.</summary>
+    /// <summary>Sets what bounds are compared with, for a fraction or a ray's distance.</summary>
     private void SetReached(double fraction)
     {
         double along = Math.Min(fraction, _to) - _from;
@@ -199,30 +200,30 @@ internal struct PartCastSearch
         _reached = _motion.Kind == MotionKind.Impact ? BoxLanes.Squared(way) : BoxLanes.AtMost(way * Beyond);
     }
 
-    private readonly unsafe void Bounds(bool isA, float* node, float factor, in TurnedBox other, float* bounds)
+    private readonly unsafe void FindBounds(bool isA, float* node, float factor, in TurnedBox other, float* bounds)
     {
         if (_motion.Kind == MotionKind.Impact) BoxLanes.DistanceSquared(node, factor, other, _frame.Room, bounds);
         else BoxLanes.Entries(node, factor, other, isA ? _wayInA : _wayInB, _room, bounds);
     }
 
-    private void AskLeaves(ConcaveScratch scratch, int leafA, int leafB)
+    private void CastLeaves(ConcaveScratch scratch, int leafA, int leafB)
     {
         int firstA = PartTree.FirstOf(leafA), endA = firstA + PartTree.CountOf(leafA);
         int firstB = PartTree.FirstOf(leafB), endB = firstB + PartTree.CountOf(leafB);
         for (int i = firstA; i < endA; i++)
-            for (int j = firstB; j < endB; j++) Ask(scratch, scratch.A.Tree.Order[i], scratch.B.Tree.Order[j]);
+            for (int j = firstB; j < endB; j++) CastParts(scratch, scratch.A.Tree.Order[i], scratch.B.Tree.Order[j]);
     }
 
-    /// <summary>Asks two parts, and keeps their contact if it is the first.</summary>
-    public void Ask(ConcaveScratch scratch, int partA, int partB)
+    /// <summary>Casts two parts, and keeps their contact if it is the first.</summary>
+    public void CastParts(ConcaveScratch scratch, int partA, int partB)
     {
-        Asked++;
+        QueryCount++;
         ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape a = ref scratch.A.Part(partA, ref roomA);
+        ref readonly ConvexShape a = ref scratch.A.ShapeOf(partA, ref roomA);
 
-        // What is passed depends on the whole way, and so does where an impact's steps end.
+        // Which contacts are passed depends on the whole way; so does where an impact's steps end.
         bool isImpact = _motion.Kind == MotionKind.Impact;
-        bool isWhole = PartA < 0 || AllCasts is not null || _motion.Options.PassesShallow || isImpact;
+        bool isWhole = PartA < 0 || CollectedCasts is not null || _motion.Options.PassesShallow || isImpact;
         double error = _motion.Kind == MotionKind.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0;
         double least = _best.Solved + error;
         var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
@@ -230,21 +231,21 @@ internal struct PartCastSearch
         {
             RayCastResult met = ConvexQuery.RayCast(
                 a, _motion.A.Pose, _motion.B.Pose.Position, _motion.B.Velocity, most, _motion.Options, Sides);
-            TriangleBack.Judge(scratch.A, partA, _motion.B.Velocity, Sides, ref met);
-            if (All is not null && met.IsHit) All.Add(new RayHit(met, scratch.A.NumberOf(partA)));
+            TriangleBack.ApplySides(scratch.A, partA, _motion.B.Velocity, Sides, ref met);
+            if (CollectedRays is not null && met.IsHit) CollectedRays.Add(new RayHit(met, scratch.A.NumberOf(partA)));
             else if (met.IsHit && KeepIfFirst(met.Order, MetFeature.None, partA, partB)) Ray = met;
             return;
         }
 
-        ref readonly ConvexShape b = ref scratch.B.Part(partB, ref roomB);
+        ref readonly ConvexShape b = ref scratch.B.ShapeOf(partB, ref roomB);
         if (isImpact && !double.IsInfinity(_to) && ConvexQuery.StaysApart(
             a, _motion.A, b, _motion.B, _motion.Tolerance, (float)_maxFraction, _from, _to)) return;
-        bool isIdle = Asked >= IdleBeforeProof && (Asked & (Asked - 1)) == 0;
-        if (isIdle && _motion.Kind == MotionKind.Cast) TryPlane(scratch, partA, partB);
-        CastResult found = Move(a, b, _motion.B, most, _motion.Options);
-        if (!found.MayHit || (AllCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
+        bool isIdle = QueryCount >= IdleBeforeProof && (QueryCount & (QueryCount - 1)) == 0;
+        if (isIdle && _motion.Kind == MotionKind.Cast) TrySetPlane(scratch, partA, partB);
+        CastResult found = CastShapes(a, b, _motion.B, most, _motion.Options);
+        if (!found.MayHit || (CollectedCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
         if (_isLifted && !UnionLift.IsOutOf(found, _lifted.Pose, _lift, _wayOfLifted, 1)
-            && !Move(a, b, _lifted, most, _liftedOptions).MayHit) return;
+            && !CastShapes(a, b, _lifted, most, _liftedOptions).MayHit) return;
         MetFeature feature = MetFeature.None;
         if (found.Status == CastStatus.Hit)
         {
@@ -253,13 +254,13 @@ internal struct PartCastSearch
                 PartAdvancement.PoseAt(_motion.B, found.Fraction), found.Normal);
         }
 
-        if (AllCasts is not null)
-            AllCasts.Add(new CastHit(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
-        else Meet(scratch, new CastHit(found, partA, partB, feature));
+        if (CollectedCasts is not null)
+            CollectedCasts.Add(new CastHit(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB), feature));
+        else KeepMet(scratch, new CastHit(found, partA, partB, feature));
     }
 
-    /// <summary>Keeps a contact with those that are met at once.</summary>
-    private void Meet(ConcaveScratch scratch, in CastHit hit)
+    /// <summary>Keeps a contact among those that are met at the same fraction.</summary>
+    private void KeepMet(ConcaveScratch scratch, in CastHit hit)
     {
         int order = PartA < 0 ? -1 : hit.Result.Order.CompareTo(_best);
         if (order < 0) scratch.Met.Clear();
@@ -267,24 +268,24 @@ internal struct PartCastSearch
         if (KeepIfFirst(hit.Result.Order, hit.Feature, hit.PartA, hit.PartB)) Cast = hit.Result;
     }
 
-    /// <summary>Takes the plane of two parts that are apart at the start: where many parts pass each other closely,
-    /// the boxes' bounds in float let all of them pass.</summary>
-    private readonly void TryPlane(ConcaveScratch scratch, int partA, int partB)
+    /// <summary>Sets the plane of two parts that are apart at the start. Where many parts pass closely, the boxes'
+    /// bounds in float rule none of them out.</summary>
+    private readonly void TrySetPlane(ConcaveScratch scratch, int partA, int partB)
     {
         DistanceResult start = PartQuery.Distance(scratch.A, partA, scratch.B, partB, float.PositiveInfinity);
         if (start.Status != GjkStatus.Separated) return;
-        scratch.Plane.SetWay(
-            scratch.A, partA, scratch.B, partB, start.Normal, (Asked & OtherPowers) != 0,
-            _motion.Way, Last + WayError * Size / Math.Max(_length, double.Epsilon));
+        scratch.Plane.SetCast(
+            scratch.A, partA, scratch.B, partB, start.Normal, (QueryCount & OtherPowers) != 0,
+            _motion.Way, LastFraction + WayError * Size / Math.Max(_length, double.Epsilon));
     }
 
-    private readonly CastResult Move(
+    private readonly CastResult CastShapes(
         in ConvexShape a, in ConvexShape b, in RigidMotion motionB, float most, in CastOptions options) =>
         _motion.Kind == MotionKind.Cast
             ? ConvexQuery.Cast(a, _motion.A.Pose, _motion.A.Velocity, b, motionB.Pose, motionB.Velocity, most, options)
             : ConvexQuery.TimeOfImpact(a, _motion.A, b, motionB, _motion.Tolerance, most, options);
 
-    /// <summary>Whether an answer is before the best one; then it takes its place.</summary>
+    /// <summary>Keeps a contact if it comes before the best one.</summary>
     private bool KeepIfFirst(in ContactOrder found, MetFeature feature, int partA, int partB)
     {
         int order = PartA < 0 ? -1 : found.CompareTo(_best);

@@ -1,15 +1,15 @@
 namespace Gjk.Core;
 
-/// <summary>Pairs of boxes that wait, the least bound first: a binary heap (Williams 1964).</summary>
+/// <summary>A priority queue of pairs of boxes, the least bound first: a binary heap (Williams 1964).</summary>
 /// <remarks>Equal bounds leave in an order that depends on the order of the calls alone.</remarks>
 internal sealed class PartHeap
 {
     private Entry[] _entries = new Entry[256];
 
-    /// <summary>How many wait.</summary>
+    /// <summary>How many pairs wait.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Two boxes, each as eight times its node and the lane, and a bound of theirs.</summary>
+    /// <summary>A pair of boxes, each as eight times its node plus its lane, and a lower bound for it.</summary>
     public struct Entry
     {
         public int A, B;
@@ -18,7 +18,7 @@ internal sealed class PartHeap
 
     public void Clear() => Count = 0;
 
-    public void Add(int a, int b, float bound)
+    public void Push(int a, int b, float bound)
     {
         if (Count + 1 >= _entries.Length) Array.Resize(ref _entries, 2 * _entries.Length);
         Entry[] entries = _entries;
@@ -34,23 +34,23 @@ internal sealed class PartHeap
         entries[at].Bound = bound;
     }
 
-    /// <summary>Adds the pairs of one box with each of the eight below the other.</summary>
+    /// <summary>Pushes the pairs of one box with each of the eight below the other.</summary>
     /// <param name="pair">The two boxes.</param>
-    /// <param name="isA">Whether A's is opened.</param>
-    /// <param name="children">Of the tree whose box is opened.</param>
-    /// <param name="bounds">Of the eight pairs.</param>
-    /// <param name="reached">Those with larger bounds cannot matter.</param>
-    public unsafe void AddBelow(in Entry pair, bool isA, int[] children, float* bounds, float reached)
+    /// <param name="isA">Whether the box of A is the opened one.</param>
+    /// <param name="children">The children of the opened box's tree.</param>
+    /// <param name="bounds">The bounds of the eight pairs.</param>
+    /// <param name="reached">Pairs with larger bounds are left out.</param>
+    public unsafe void PushChildren(in Entry pair, bool isA, int[] children, float* bounds, float reached)
     {
         int first = PartTree.Lanes * children[isA ? pair.A : pair.B];
         for (int i = 0; i < PartTree.Lanes; i++)
         {
             if (!(bounds[i] <= reached) || children[first + i] == PartTree.Empty) continue;
-            Add(isA ? first + i : pair.A, isA ? pair.B : first + i, bounds[i]);
+            Push(isA ? first + i : pair.A, isA ? pair.B : first + i, bounds[i]);
         }
     }
 
-    public bool TryTake(out Entry top)
+    public bool TryPop(out Entry top)
     {
         Entry[] entries = _entries;
         top = entries[1];

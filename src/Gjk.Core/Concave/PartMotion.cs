@@ -1,6 +1,6 @@
 namespace Gjk.Core;
 
-/// <summary>What a search for the first contact asks two parts.</summary>
+/// <summary>Which query is made of two parts.</summary>
 internal enum MotionKind : byte
 {
     /// <summary>Both move along lines.</summary>
@@ -22,11 +22,11 @@ internal readonly struct PartMotion(
     public readonly float MaxFraction = maxFraction, Tolerance = tolerance;
     public readonly CastOptions Options = options;
 
-    /// <summary>How B's position moves, seen from A's.</summary>
+    /// <summary>The motion of B's position, relative to A's.</summary>
     public Double3 Way => (Double3)B.Velocity - A.Velocity;
 
-    /// <summary>The rest of the motion after a fraction, of B from where it is put.</summary>
-    public PartMotion After(float fraction, in RigidPose poseB, in CastOptions options) => new(
+    /// <summary>The rest of the motion after a fraction, with B at another pose.</summary>
+    public PartMotion RestFrom(float fraction, in RigidPose poseB, in CastOptions options) => new(
         Kind, new RigidMotion(PartAdvancement.PoseAt(A, fraction), A.Velocity, A.AngularVelocity),
         new RigidMotion(poseB, B.Velocity, B.AngularVelocity), MaxFraction - fraction, Tolerance, options);
 }

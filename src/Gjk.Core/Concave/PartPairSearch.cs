@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>The pair of parts with the least distance: pairs of boxes wait in a heap, the least bound first, the larger
-/// box of a pair is opened, and two leaves' parts are asked one by one, by the exact query.</summary>
+/// <summary>Finds the pair of parts with the least distance. Pairs of boxes wait in a heap, the least bound first. The
+/// larger box of a pair is opened. The parts of two leaves are measured one by one, by the exact query.</summary>
 /// <remarks>Source: branch and bound over two trees (Quinlan, "Efficient distance computation between non-convex
 /// objects", 1994; Johnson and Cohen, 1998, best first). Exactness: a pair of boxes is dropped only if its bound, which
 /// is proved, exceeds the least distance that a query of two parts has given, or if a <see cref="PlaneProof"/> says
@@ -10,24 +10,23 @@ namespace Gjk.Core;
 /// pairs with the same float distance is named depends on the trees, which depend on the input alone.</remarks>
 internal struct PartPairSearch
 {
-    /// <summary>Count: so many parts are asked in vain, or leaves looked at, before planes are tried, which costs a
-    /// look at each corner. It changes no answer but the names of equals.</summary>
+    /// <summary>Count: so many parts are measured in vain, or leaves visited, before planes are tried, which read all
+    /// corners. It changes no answer, only which of several equal pairs is named.</summary>
     private const int IdleBeforeProof = 16;
 
-    /// <summary>Count: a plane is held against all corners when a search has lasted so long that they cost no more than
-    /// what it has cost already: some 200 times a corner's time goes into a pair. More or less changes nothing but the
-    /// time.</summary>
+    /// <summary>Count: a plane is tested against all corners only after the search has cost about as much: one pair of
+    /// parts costs some 200 corners. It changes the time only.</summary>
     private const int CornersInAsk = 256;
 
     private int _idle, _visits, _patience;
 
-    /// <summary>How many pairs of parts the exact query answered.</summary>
-    public int Asked;
+    /// <summary>How many pairs of parts the exact query has answered.</summary>
+    public int QueryCount;
 
-    /// <summary>In pair units, squared and rounded up: bounds above it cannot matter.</summary>
+    /// <summary>In pair units, squared and rounded up: pairs with larger bounds cannot matter.</summary>
     public float Reached;
 
-    /// <summary>World units: pairs further apart are not looked for.</summary>
+    /// <summary>World units: pairs further apart are not searched for.</summary>
     public float Limit;
 
     /// <summary>The least distance; valid if <see cref="PartA"/> is not negative.</summary>
@@ -41,8 +40,8 @@ internal struct PartPairSearch
 
     public TreeFrame Frame;
 
-    /// <summary>Takes every pair within the limit, where it is not null.</summary>
-    public List<PairDistance>? All;
+    /// <summary>Gets every pair within the limit, where it is not null.</summary>
+    public List<PairDistance>? AllPairs;
 
     /// <summary>Finds all pairs that are no further apart than a distance, in no order.</summary>
     /// <param name="scratch">With both sides set.</param>
@@ -51,9 +50,9 @@ internal struct PartPairSearch
     public static void Collect(ConcaveScratch scratch, float distance, List<PairDistance> pairs)
     {
         pairs.Clear();
-        scratch.Search.All = pairs;
+        scratch.Search.AllPairs = pairs;
         Run(scratch, distance);
-        scratch.Search.All = null;
+        scratch.Search.AllPairs = null;
     }
 
     /// <summary>Finds the least distance that is at most the limit.</summary>
@@ -76,25 +75,25 @@ internal struct PartPairSearch
         // Most pairs of a scene are so far apart that the balls around them tell.
         if (search.Frame.LeastDistanceSquared > search.Reached) return;
         PlaneProof plane = scratch.Plane;
-        if (search.PartA < 0 && search.Drops(plane, plane.IsSlabBeyond(scratch.A, scratch.B, search.Limit))) return;
+        if (search.PartA < 0 && search.DropIf(plane, plane.IsSlabBeyond(scratch.A, scratch.B, search.Limit))) return;
         bool areMeshes = scratch.A.Mesh is not null && scratch.B.Mesh is not null;
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         heap.Clear();
-        heap.Add(0, 0, 0);
+        heap.Push(0, 0, 0);
         fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
         {
-            while (heap.TryTake(out PartHeap.Entry pair) && pair.Bound <= search.Reached)
+            while (heap.TryPop(out PartHeap.Entry pair) && pair.Bound <= search.Reached)
             {
                 int childA = a.Children[pair.A], childB = b.Children[pair.B];
                 if (search.IsTimeForWhole(heap) && plane.IsUntried
-                    && search.Drops(plane, plane.IsWholeNoNearer(scratch.A, scratch.B)))
+                    && search.DropIf(plane, plane.IsWholeNoNearer(scratch.A, scratch.B)))
                 {
                     return;
                 }
 
                 if (search._idle >= IdleBeforeProof && plane.IsSet
-                    && search.Drops(plane, plane.IsNoNearer(scratch.A, pair.A, scratch.B, pair.B)))
+                    && search.DropIf(plane, plane.IsNoNearer(scratch.A, pair.A, scratch.B, pair.B)))
                 {
                     continue;
                 }
@@ -109,11 +108,11 @@ internal struct PartPairSearch
                     continue;
                 }
 
-                bool isA = search.Frame.Open(
+                bool isA = search.Frame.ChooseOpened(
                     boxesA, pair.A, childA, boxesB, pair.B, childB, out float* node, out float factor,
                     out TurnedBox other);
                 BoxLanes.DistanceSquared(node, factor, other, search.Frame.Room, bounds);
-                heap.AddBelow(pair, isA, isA ? a.Children : b.Children, bounds, search.Reached);
+                heap.PushChildren(pair, isA, isA ? a.Children : b.Children, bounds, search.Reached);
             }
         }
     }
@@ -125,7 +124,7 @@ internal struct PartPairSearch
             out Frame);
         if (scratch.A.Mesh is not null && scratch.B.Mesh is not null) scratch.Filter.Reset(Frame);
         scratch.Plane.Clear();
-        _idle = _visits = Asked = 0;
+        _idle = _visits = QueryCount = 0;
         int corners = (scratch.A.Mesh?.VertexCount ?? 0) + (scratch.B.Mesh?.VertexCount ?? 0);
         _patience = corners / CornersInAsk;
         PartA = PartB = -1;
@@ -140,8 +139,9 @@ internal struct PartPairSearch
         Reached = BoxLanes.Squared((distance + scratch.A.Margin + scratch.B.Margin) / Frame.Unit);
     }
 
-    /// <summary>Notes how near what is dropped may be, if a plane shows that it is no nearer.</summary>
-    private bool Drops(PlaneProof plane, bool isShown)
+    /// <summary>Lowers the bound of all distances by the plane's, if a plane proves that what is dropped is no
+    /// nearer.</summary>
+    private bool DropIf(PlaneProof plane, bool isShown)
     {
         if (isShown) LowerBound = Math.Min(LowerBound, plane.LowerBound);
         return isShown;
@@ -149,7 +149,7 @@ internal struct PartPairSearch
 
     private void MeasureParts(ConcaveScratch scratch, int boxA, int leafA, int boxB, int leafB)
     {
-        // What is left of either is a single part: a plane tells most pairs apart, and costs little.
+        // On one side a single part is left. A plane rules out most pairs, and costs little.
         PlaneProof plane = scratch.Plane;
         int firstA = PartTree.FirstOf(leafA), endA = firstA + PartTree.CountOf(leafA);
         int firstB = PartTree.FirstOf(leafB), endB = firstB + PartTree.CountOf(leafB);
@@ -162,8 +162,8 @@ internal struct PartPairSearch
                 bool isDropped = plane.IsSet && (isOneA
                     ? plane.IsPartNoNearer(scratch.A, boxA, scratch.B, partB)
                     : plane.IsNoNearerPart(scratch.A, partA, scratch.B, boxB));
-                if (Drops(plane, isDropped || IsFaceNoNearer(scratch, partA, partB))) continue;
-                if (All is null || !PlaneProof.IsBeyond(scratch.A, partA, scratch.B, partB, Limit))
+                if (DropIf(plane, isDropped || IsFaceNoNearer(scratch, partA, partB))) continue;
+                if (AllPairs is null || !PlaneProof.IsBeyond(scratch.A, partA, scratch.B, partB, Limit))
                     Measure(scratch, partA, partB);
             }
         }
@@ -174,17 +174,17 @@ internal struct PartPairSearch
         TriangleFilter filter = scratch.Filter;
         filter.Measure(Frame, scratch.A, leafA, scratch.B, leafB, Reached);
         int firstA = PartTree.FirstOf(leafA), firstB = PartTree.FirstOf(leafB);
-        while (filter.TryTake(Reached, out int i, out int j))
+        while (filter.TryPopNearest(Reached, out int i, out int j))
         {
             int partA = scratch.A.Tree.Order[firstA + i], partB = scratch.B.Tree.Order[firstB + j];
-            if (Drops(scratch.Plane, IsFaceNoNearer(scratch, partA, partB))) continue;
+            if (DropIf(scratch.Plane, IsFaceNoNearer(scratch, partA, partB))) continue;
             Keep(scratch, partA, partB, PartQuery.TriangleDistance(scratch.A, partA, scratch.B, partB, Limit));
-            if (All is null && PartA >= 0 && Best.IsOverlapping) return;
+            if (AllPairs is null && PartA >= 0 && Best.IsOverlapping) return;
         }
     }
 
-    /// <summary>Whether many parts are about as near, and a triangle's plane shows that these are no
-    /// nearer.</summary>
+    /// <summary>Whether a triangle's plane shows that two parts are no nearer; tried where many parts are about as
+    /// near.</summary>
     private readonly bool IsFaceNoNearer(ConcaveScratch scratch, int partA, int partB) =>
         _idle >= IdleBeforeProof && scratch.Plane.IsFaceNoNearer(scratch.A, partA, scratch.B, partB);
 
@@ -195,19 +195,19 @@ internal struct PartPairSearch
     private void Keep(ConcaveScratch scratch, int partA, int partB, in DistanceResult found)
     {
         _idle++;
-        Asked++;
+        QueryCount++;
         if (found.LowerBound < LowerBound) LowerBound = found.LowerBound;
         if (found.Status is GjkStatus.BeyondMaxDistance or GjkStatus.InvalidInput or GjkStatus.InvalidShape) return;
-        if (All is not null)
+        if (AllPairs is not null)
         {
-            All.Add(new PairDistance(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB)));
+            AllPairs.Add(new PairDistance(found, scratch.A.NumberOf(partA), scratch.B.NumberOf(partB)));
             return;
         }
 
         if (PartA < 0 || found.Distance < Best.Distance)
         {
             _idle = 0;
-            scratch.Plane.Set(scratch.A, partA, scratch.B, partB, found);
+            scratch.Plane.SetNearest(scratch.A, partA, scratch.B, partB, found);
         }
         else if (found.Distance != Best.Distance || !IsBefore(found.IsOverlapping, partA, partB))
         {
@@ -219,12 +219,12 @@ internal struct PartPairSearch
         SetLimit(scratch, found.Distance);
     }
 
-    /// <summary>Whether all corners may be looked at.</summary>
+    /// <summary>Whether the search has lasted long enough to read all corners.</summary>
     private readonly bool IsTimeForWhole(PartHeap heap) =>
         PartA < 0 ? _visits >= _patience : _idle >= IdleBeforeProof && heap.Count >= _patience;
 
-    /// <summary>While nothing is near enough, the plane of two leaves' first parts is tried if these are too far apart,
-    /// each for twice as long as the last one.</summary>
+    /// <summary>While no pair is within the limit: tries the plane of two leaves' first parts, if these are too far
+    /// apart. Each time it waits for twice as many leaves.</summary>
     private readonly void TryPlaneBeyond(ConcaveScratch scratch, int leafA, int leafB)
     {
         if (_visits < IdleBeforeProof || (_visits & (_visits - 1)) != 0) return;

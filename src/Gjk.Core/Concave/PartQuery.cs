@@ -1,19 +1,20 @@
 namespace Gjk.Core;
 
-/// <summary>Asks the exact queries about a part of each side.</summary>
+/// <summary>Measures one part of each side by the exact queries.</summary>
 internal static class PartQuery
 {
     public static DistanceResult Distance(PartSide a, int partA, PartSide b, int partB, float maxDistance)
     {
         if (a.Mesh is not null && b.Mesh is not null) return TriangleDistance(a, partA, b, partB, maxDistance);
         if (a.Mesh is { IsScaled: false })
-            return ConvexQuery.Distance(a.Mesh.GetPlain(partA), a.Pose, b.Convex(partB), b.Pose, maxDistance);
+            return ConvexQuery.Distance(a.Mesh.GetPlain(partA), a.Pose, b.ConvexPart(partB), b.Pose, maxDistance);
         if (b.Mesh is { IsScaled: false })
-            return ConvexQuery.Distance(a.Convex(partA), a.Pose, b.Mesh.GetPlain(partB), b.Pose, maxDistance);
+            return ConvexQuery.Distance(a.ConvexPart(partA), a.Pose, b.Mesh.GetPlain(partB), b.Pose, maxDistance);
         return ShapeDistance(a, partA, b, partB, maxDistance);
     }
 
-    /// <summary>The distance of two triangles, solved as they are: neither has a margin, or needs unwrapping.</summary>
+    /// <summary>The distance of two triangles, passed to the solver directly: they have no margin and need no
+    /// unwrapping.</summary>
     public static unsafe DistanceResult TriangleDistance(
         PartSide a, int partA, PartSide b, int partB, float maxDistance)
     {
@@ -28,12 +29,13 @@ internal static class PartQuery
     private static DistanceResult ShapeDistance(PartSide a, int partA, PartSide b, int partB, float maxDistance)
     {
         ConvexShape roomA = default, roomB = default;
-        return ConvexQuery.Distance(a.Part(partA, ref roomA), a.Pose, b.Part(partB, ref roomB), b.Pose, maxDistance);
+        return ConvexQuery.Distance(
+            a.ShapeOf(partA, ref roomA), a.Pose, b.ShapeOf(partB, ref roomB), b.Pose, maxDistance);
     }
 
     public static DistanceResult SignedDistance(PartSide a, int partA, PartSide b, int partB)
     {
         ConvexShape roomA = default, roomB = default;
-        return ConvexQuery.SignedDistance(a.Part(partA, ref roomA), a.Pose, b.Part(partB, ref roomB), b.Pose);
+        return ConvexQuery.SignedDistance(a.ShapeOf(partA, ref roomA), a.Pose, b.ShapeOf(partB, ref roomB), b.Pose);
     }
 }

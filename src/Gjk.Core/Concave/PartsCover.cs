@@ -1,64 +1,64 @@
 namespace Gjk.Core;
 
-/// <summary>The other parts of the body that a contact is of, as far as they are near the same part of the other body.
-/// What covers a contact is among them, as it is as near.</summary>
+/// <summary>The neighbours of a contact's part: the other parts of its body that are near the same part of the other
+/// body. Whatever covers the contact is as near, so it is among them.</summary>
 internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairContacts contact)
 {
     private readonly ObjectPair _pair = contact.Pair;
     private readonly int _other = contact.PartOf(!isA);
     private readonly Vector3 _witness = isA ? contact.Result.LocalPointA : contact.Result.LocalPointB;
 
-    /// <summary>The body.</summary>
+    /// <summary>The body with the contact's part.</summary>
     public readonly PartSide Side = scratch.SideOf(contact.Pair.A, isA);
 
     /// <summary>The part that has the contact.</summary>
     public readonly int Own = contact.PartOf(isA);
 
-    /// <summary>From the body to the other one, along the contact.</summary>
+    /// <summary>The contact's normal, from the body to the other one.</summary>
     public readonly Double3 Outward = isA ? contact.Result.Normal : -contact.Result.Normal;
 
     public bool IsA => isA;
 
-    /// <summary>The body's point of the contact, in the world.</summary>
-    public Double3 Witness => CoveredSides.InWorld(_witness, Side.Pose);
+    /// <summary>The contact's point on the body, in the world.</summary>
+    public Double3 Witness => Side.ToWorld(_witness);
 
-    /// <summary>The static objects that may go on, from the first one: all of them, or the one that the body is
-    /// at.</summary>
-    private int First => isA ? 0 : Math.Max(_pair.A, 0);
+    /// <summary>The range of static objects that may cover the part: all of them, or only the one that the pair is
+    /// of.</summary>
+    private int FirstGround => isA ? 0 : Math.Max(_pair.A, 0);
 
-    private int End => isA ? Math.Max(scratch.GroundCount, 1) : First + 1;
+    private int EndGround => isA ? Math.Max(scratch.GroundCount, 1) : FirstGround + 1;
 
-    /// <summary>The part that has the contact; it may be written to the room that is given.</summary>
-    public ref readonly ConvexShape Part(ref ConvexShape room) => ref Side.Part(Own, ref room);
+    /// <summary>The part's shape. A triangle is written to <paramref name="room"/>.</summary>
+    public ref readonly ConvexShape OwnShape(ref ConvexShape room) => ref Side.ShapeOf(Own, ref room);
 
     /// <summary>Whether another part holds a point of the world and reaches beyond it.</summary>
     /// <param name="point">The point.</param>
-    /// <param name="direction">Where beyond is.</param>
+    /// <param name="direction">The direction beyond the point.</param>
     /// <param name="isJoint">Whether the triangles of the same mesh are left out.</param>
     public bool GoesOn(in Double3 point, in Double3 direction, bool isJoint = false)
     {
         ConvexShape room = default;
-        for (int i = First; i < End; i++)
+        for (int i = FirstGround; i < EndGround; i++)
         {
             PartSide side = scratch.SideOf(i, isA);
             if (side.IsJoined && !side.MayHold(point)) continue;
             if (i != _pair.A && JoinedGrounds.IsInside(scratch, side, point, direction)) return true;
-            Double3 local = side.Local(point), along = side.Turned(direction);
+            Double3 local = side.ToLocal(point), along = side.ToLocalDirection(direction);
             (int begin, int end) = scratch.PairsOf(i);
             for (int k = begin; k < end; k++)
             {
                 PairDistance near = scratch.Pairs[k];
                 int part = isA ? near.PartA : near.PartB;
                 if (!IsBeside(near, side, isJoint) || CoveredSides.IsClear(side, part, local)) continue;
-                if (CoveredSides.GoesOn(side.Part(part, ref room), local, along, side.Rounding)) return true;
+                if (CoveredSides.GoesOn(side.ShapeOf(part, ref room), local, along, side.Rounding)) return true;
             }
         }
 
         return false;
     }
 
-    /// <summary>Whether another part does so that need not be near the same part of the other body: where the two are
-    /// deep, what is beyond a witness may be further from that than pairs are looked for.</summary>
+    /// <summary>Whether another part holds a point and reaches beyond it, that need not be near the same part of the
+    /// other body. Where the two are deep, the point may be outside the gap of the pairs.</summary>
     public bool GoesOnAfar(in Double3 point, in Double3 direction) =>
         JoinedGrounds.GoesOn(scratch, Side, Own, point, direction);
 
@@ -74,18 +74,18 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
     public bool Holds(in Double3 point)
     {
         ConvexShape room = default;
-        return JoinedGrounds.IsOn(scratch, Side, isA, Part(ref room), Side.Local(point));
+        return JoinedGrounds.IsOn(scratch, Side, isA, OwnShape(ref room), Side.ToLocal(point));
     }
 
-    /// <summary>The plane in which the body ends near the witness: before what is just beyond that, or across the way
-    /// out where that is in it.</summary>
-    public OpenPlane EndNear()
+    /// <summary>The plane in which the body ends near the witness: in front of the point just beyond it, or across the
+    /// way out where that point is inside.</summary>
+    public OpenPlane FindEnd()
     {
         Double3 witness = Witness;
         var shape = ConvexShape.Point();
         DistanceResult least = default;
         ConvexShape room = default;
-        for (int i = First; i < End; i++)
+        for (int i = FirstGround; i < EndGround; i++)
         {
             PartSide side = scratch.SideOf(i, isA);
             if (side.IsJoined && !side.MayHold(witness)) continue;
@@ -95,14 +95,15 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 PairDistance near = scratch.Pairs[k];
                 if (!IsBeside(near, side, true)) continue;
                 int part = isA ? near.PartA : near.PartB;
-                Double3 point = FlushSides.Beside(witness, Outward, side.MiddleOfPart(part));
+                Double3 point = FlushSides.PointBeside(witness, Outward, side.MiddleOfPart(part));
                 bool isAny = least.Status != GjkStatus.None;
-                if (isAny && CoveredSides.IsClear(side, part, side.Local(point), Math.Max(least.Distance, 0))) continue;
+                double limit = Math.Max(least.Distance, 0);
+                if (isAny && CoveredSides.IsClear(side, part, side.ToLocal(point), limit)) continue;
                 var pose = new RigidPose((Vector3)point);
-                ref readonly ConvexShape beside = ref side.Part(part, ref room);
+                ref readonly ConvexShape beside = ref side.ShapeOf(part, ref room);
                 DistanceResult found = ConvexQuery.Distance(beside, side.Pose, shape, pose);
                 if (found.Distance == 0)
-                    found = ConvexQuery.SignedDistance(beside, side.Pose, Along(beside.BoundingRadius), pose);
+                    found = ConvexQuery.SignedDistance(beside, side.Pose, LineAlong(beside.BoundingRadius), pose);
                 if (SeamContacts.Judge(side, part, found.Normal) != ContactFit.Stays) continue;
                 if (!isAny || found.Distance < least.Distance) least = found;
             }
@@ -111,8 +112,17 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         return new OpenPlane(least.PointA, least.Normal, 0);
     }
 
-    /// <summary>A line along the way out: of a part that it crosses it leaves across that way, and not through the side
-    /// that is shared.</summary>
-    private ConvexShape Along(double reach) =>
+    /// <summary>A line along the contact's normal. A part that it crosses it leaves across its end, and not through the
+    /// side that it shares with the next part.</summary>
+    private ConvexShape LineAlong(double reach) =>
         ConvexShape.Segment((Vector3)(Outward * -reach), (Vector3)(Outward * reach));
+}
+
+/// <summary>A plane that another body is kept or pushed out of.</summary>
+internal readonly struct OpenPlane(in Double3 foot, in Double3 normal, double depth)
+{
+    public readonly Double3 Foot = foot, Normal = normal;
+
+    /// <summary>How far the other body is behind the plane; 0 where it is not.</summary>
+    public readonly double Depth = depth;
 }

@@ -1,29 +1,29 @@
 namespace Gjk.Core;
 
-/// <summary>Shows that parts are no nearer than the least distance so far: a plane across its normal leaves a gap
+/// <summary>Proves that parts are no nearer than the least distance so far: a plane across its normal leaves a gap
 /// between them.</summary>
 /// <remarks>Between parallel plates as many pairs of triangles are equally near as there are triangles, and the boxes'
-/// bounds in float let all of them pass. Here corners are measured in double, so that a whole subtree is dropped if its
-/// gap exceeds the middle between the distance and the float before it: what it has rounds to the distance or more.
-/// Where nothing is near enough yet, the plane of two parts that are too far apart shows which others are. What a
-/// subtree reaches is kept until the normal changes.</remarks>
+/// bounds in float rule none of them out. Here corners are measured in double. A whole subtree is dropped if its gap
+/// exceeds the middle between the distance and the float before it: all its distances then round to that distance or
+/// more. While nothing is near enough, the plane of two parts that are too far apart rules out others. The reach of a
+/// subtree is kept until the normal changes.</remarks>
 internal sealed class PlaneProof
 {
-    /// <summary>Ratio to twice the lengths: 2^-49, 16 roundings. Turning the normal into a shape's axes turns it by 15
-    /// roundings at most, its product with a corner and the sums lose 3 of their length. Four times as much asks every
-    /// pair of plates that are a millionth apart; a quarter is not proved.</summary>
+    /// <summary>Ratio to twice the lengths: 2^-49, 16 roundings. Rotating the normal into a shape's axes takes 15
+    /// roundings at most, its product with a corner and the sums 3. With four times as much, every pair of plates a
+    /// millionth apart is measured; a quarter is not proved.</summary>
     private const double Error = 1.0 / (1L << 49);
 
-    /// <summary>Ratio to twice the lengths: what is further apart than this does not touch. Four times what the queries
+    /// <summary>Ratio to twice the lengths: what is further apart does not touch. It is four times what the queries
     /// count as touching where a core is curved. More only costs time; SmallBesideLargeTests fails with less.</summary>
-    private const double Touching = 4 * GjkTolerances.TouchCurved;
+    private const double TouchRoom = 4 * GjkTolerances.TouchCurved;
 
-    /// <summary>A cosine: normals no further apart than by 2e-4 are meant to be one; between plates a millionth of
-    /// their size apart a distance's accuracy allows so much. Any unit vector is a proof, another only fails more
-    /// often.</summary>
+    /// <summary>A cosine: normals that differ by less than 2e-4 are taken to be the same. Between plates a millionth of
+    /// their size apart a distance's accuracy allows so much. Any unit vector gives a proof; another one only fails
+    /// more often.</summary>
     private const double Aligned = 1 - 2e-8;
 
-    /// <summary>Count: so many corners of the larger mesh are looked at before all are.</summary>
+    /// <summary>Count: so many corners of the larger mesh are read before all are.</summary>
     private const int Looks = 64;
 
     private readonly Reaches _a = new(), _b = new();
@@ -44,25 +44,26 @@ internal sealed class PlaneProof
     /// <summary>Forgets the last query's plane.</summary>
     public void Clear() => IsSet = false;
 
-    /// <summary>Takes the plane of two parts that are apart: others are dropped that are no nearer.</summary>
-    public void Set(PartSide a, int partA, PartSide b, int partB, in DistanceResult best)
+    /// <summary>Sets the plane of two parts that are apart. Parts are dropped that are no nearer than these.</summary>
+    public void SetNearest(PartSide a, int partA, PartSide b, int partB, in DistanceResult best)
     {
         IsSet = !best.IsOverlapping && best.Distance > 0;
         if (!IsSet) return;
-        Aim(a, partA, b, partB, best.Normal, Aligned);
+        SetPlaneOfParts(a, partA, b, partB, best.Normal, Aligned);
         _limit = 0.5 * ((double)best.Distance + RoundOff.Down(best.Distance * (1 - 1.0 / (1 << 26))));
     }
 
-    /// <summary>Takes the plane of two parts that are further apart than the limit: so are those that are
-    /// dropped.</summary>
+    /// <summary>Sets the plane of two parts that are further apart than the limit. Parts are dropped that are,
+    /// too.</summary>
     public void SetBeyond(PartSide a, int partA, PartSide b, int partB, Vector3 normal, float limit)
     {
-        double lengths = Aim(a, partA, b, partB, normal, 0);
+        double lengths = SetPlaneOfParts(a, partA, b, partB, normal, 0);
         IsSet = true;
-        _limit = Beyond(limit, lengths);
+        _limit = LimitWithRoom(limit, lengths);
     }
 
-    /// <summary>Takes the plane of a flat mesh, if it shows at once that no two parts are within a limit.</summary>
+    /// <summary>Sets the plane of a flat mesh, and tells whether it proves at once that no two parts are within a
+    /// limit.</summary>
     public bool IsSlabBeyond(PartSide a, PartSide b, float limit)
     {
         if (a.Mesh is null || b.Mesh is null || (a.Mesh.Slab ?? b.Mesh.Slab) is not { } slab) return false;
@@ -70,28 +71,28 @@ internal sealed class PlaneProof
         double lengths = SetPlane(a, b, normal);
         double side = _between - Double3.Dot(_alongA, a.Tree.Origin) - Double3.Dot(_alongB, b.Tree.Origin);
         if (side < 0) SetPlane(a, b, -normal);
-        _limit = Beyond(limit, lengths);
+        _limit = LimitWithRoom(limit, lengths);
         return IsSlabGap(a.Mesh, b.Mesh);
     }
 
-    /// <summary>Takes the plane of two parts that a cast does not bring together: so it does none of those that are
-    /// dropped.</summary>
+    /// <summary>Sets the plane of two parts that a cast does not bring together. Parts are dropped that it does not
+    /// bring together either.</summary>
     /// <param name="a">The first side, at the start.</param>
     /// <param name="partA">A part of it.</param>
     /// <param name="b">The second side.</param>
     /// <param name="partB">A part of it.</param>
-    /// <param name="normal">Of their distance.</param>
-    /// <param name="isFace">Whether a triangle's own plane is taken, however the normal lies to it.</param>
-    /// <param name="way">Of B, seen from A, in the world, for the fraction 1.</param>
+    /// <param name="normal">The normal of their distance.</param>
+    /// <param name="isFace">Whether to take a triangle's own plane, at whatever angle to the normal.</param>
+    /// <param name="way">B's motion relative to A, in the world, for the fraction 1.</param>
     /// <param name="most">The last fraction.</param>
-    public void SetWay(
+    public void SetCast(
         PartSide a, int partA, PartSide b, int partB, Vector3 normal, bool isFace, in Double3 way,
         double most)
     {
-        double lengths = Aim(a, partA, b, partB, normal, isFace ? 0 : Aligned);
+        double lengths = SetPlaneOfParts(a, partA, b, partB, normal, isFace ? 0 : Aligned);
         double closing = Math.Max(-Double3.Dot(_normal, way), 0) + Error * way.SumOfMagnitudes;
         IsSet = true;
-        _limit = Touching * lengths + closing * most;
+        _limit = TouchRoom * lengths + closing * most;
     }
 
     /// <summary>Whether a triangle's own plane shows that two parts are no nearer.</summary>
@@ -99,38 +100,38 @@ internal sealed class PlaneProof
     {
         if (!IsSet) return false;
         Double3 between = b.CenterOf(partB) - a.CenterOf(partA);
-        return IsAcross(a, partA, b, partB, a, partA, between) || IsAcross(a, partA, b, partB, b, partB, between);
+        return IsFaceGap(a, partA, b, partB, a, partA, between) || IsFaceGap(a, partA, b, partB, b, partB, between);
     }
 
-    private bool IsAcross(PartSide a, int partA, PartSide b, int partB, PartSide side, int part, in Double3 direction)
+    private bool IsFaceGap(PartSide a, int partA, PartSide b, int partB, PartSide side, int part, in Double3 direction)
     {
         Double3 normal = direction;
-        if (!TryFace(side, part, 0, ref normal)) return false;
-        Across(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
+        if (!TryUseFaceNormal(side, part, 0, ref normal)) return false;
+        ToBothFrames(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
         return between - ReachOf(a, partA, alongA) - ReachOf(b, partB, alongB) > _limit;
     }
 
-    /// <summary>Whether a plane across the line of two parts' centres shows that they are further apart than the limit:
-    /// most parts that a box lets pass are, and it costs far less than the exact query. The plane that is set
-    /// stays.</summary>
+    /// <summary>Whether a plane across the line of two parts' centres proves that they are further apart than the
+    /// limit. It rules out most parts that a box lets pass, and costs far less than the exact query. It leaves the
+    /// plane that is set.</summary>
     public static bool IsBeyond(PartSide a, int partA, PartSide b, int partB, float limit)
     {
         Double3 normal = b.CenterOf(partB) - a.CenterOf(partA);
         normal *= 1 / normal.Length;
-        double lengths = Across(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
-        return between - ReachOf(a, partA, alongA) - ReachOf(b, partB, alongB) > Beyond(limit, lengths);
+        double lengths = ToBothFrames(a, b, normal, out Double3 alongA, out Double3 alongB, out double between);
+        return between - ReachOf(a, partA, alongA) - ReachOf(b, partB, alongB) > LimitWithRoom(limit, lengths);
     }
 
-    private static double Beyond(float limit, double lengths) =>
-        limit * (1 + GjkTolerances.FloatBand) + Touching * lengths;
+    private static double LimitWithRoom(float limit, double lengths) =>
+        limit * (1 + GjkTolerances.FloatBand) + TouchRoom * lengths;
 
-    /// <summary>Turns the plane, to that of a triangle if that has the cosine; gives the lengths that rounding is
-    /// measured by.</summary>
-    private double Aim(PartSide a, int partA, PartSide b, int partB, Vector3 direction, double aligned)
+    /// <summary>Sets the plane across a direction, or that of a triangle whose normal has at least the cosine to it.
+    /// Returns the lengths that rounding is measured by.</summary>
+    private double SetPlaneOfParts(PartSide a, int partA, PartSide b, int partB, Vector3 direction, double aligned)
     {
         Double3 normal = direction;
         normal *= 1 / normal.Length;
-        if (!TryFace(a, partA, aligned, ref normal)) TryFace(b, partB, aligned, ref normal);
+        if (!TryUseFaceNormal(a, partA, aligned, ref normal)) TryUseFaceNormal(b, partB, aligned, ref normal);
         return SetPlane(a, b, normal);
     }
 
@@ -138,24 +139,24 @@ internal sealed class PlaneProof
     {
         _version++;
         _normal = normal;
-        return Across(a, b, normal, out _alongA, out _alongB, out _between);
+        return ToBothFrames(a, b, normal, out _alongA, out _alongB, out _between);
     }
 
-    /// <summary>A normal in both sides' axes, and how far apart the origins are along it, less what rounding may do;
-    /// gives the lengths that this is measured by.</summary>
-    private static double Across(
+    /// <summary>Gives a normal in both sides' axes, and how far apart the origins are along it, less what rounding may
+    /// do. Returns the lengths that this is measured by.</summary>
+    private static double ToBothFrames(
         PartSide a, PartSide b, in Double3 normal, out Double3 alongA, out Double3 alongB, out double between)
     {
-        alongA = new RotationD(a.Pose.Rotation).InverseRotate(normal);
-        alongB = -new RotationD(b.Pose.Rotation).InverseRotate(normal);
+        alongA = a.ToLocalDirection(normal);
+        alongB = -b.ToLocalDirection(normal);
         Double3 origins = (Double3)b.Pose.Position - a.Pose.Position;
-        double lengths = origins.SumOfMagnitudes + Length(a) + Length(b);
+        double lengths = origins.SumOfMagnitudes + LengthsOf(a) + LengthsOf(b);
         between = Double3.Dot(normal, origins) - Error * lengths;
         return lengths;
     }
 
-    /// <summary>Whether no pair of parts at all is nearer; each plane is tried once. A look at a few corners tells most
-    /// that it does not separate.</summary>
+    /// <summary>Whether no pair of parts at all is nearer. Each plane is tried once. A few corners show of most planes
+    /// that they do not separate.</summary>
     public bool IsWholeNoNearer(PartSide a, PartSide b)
     {
         _tried = _version;
@@ -167,7 +168,7 @@ internal sealed class PlaneProof
     private bool IsSlabGap(TriangleMesh a, TriangleMesh b) =>
         _between - SlabReach(a, _alongA) - SlabReach(b, _alongB) > _limit;
 
-    /// <summary>How far a mesh reaches, at most, without a look at its vertices.</summary>
+    /// <summary>A bound of how far a mesh reaches, without reading its vertices.</summary>
     private static double SlabReach(TriangleMesh mesh, in Double3 along) =>
         mesh.Slab?.Reach(along) ?? Double3.Dot(along, mesh.Tree.Origin) + mesh.Tree.Radius;
 
@@ -186,12 +187,13 @@ internal sealed class PlaneProof
     public bool IsPartNoNearer(PartSide a, int boxA, PartSide b, int partB) =>
         _between - _a.BelowBox(a, boxA, _alongA, _version) - ReachOf(b, partB, _alongB) > _limit;
 
-    /// <summary>Takes a triangle's own normal if it is the one, since a float's rounding tilts a plane.</summary>
-    private static bool TryFace(PartSide side, int part, double aligned, ref Double3 normal)
+    /// <summary>Replaces a normal by a triangle's own one if that is close enough, since rounding to float tilts a
+    /// plane.</summary>
+    private static bool TryUseFaceNormal(PartSide side, int part, double aligned, ref Double3 normal)
     {
         if (side.Mesh is null) return false;
         side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-        Double3 face = new RotationD(side.Pose.Rotation).Rotate(Double3.Cross(b - a, c - a));
+        Double3 face = side.ToWorldDirection(Double3.Cross(b - a, c - a));
         face *= 1 / face.Length;
         double along = Double3.Dot(face, normal);
         if (!(Math.Abs(along) > aligned)) return false;
@@ -209,15 +211,15 @@ internal sealed class PlaneProof
         }
 
         ConvexShape room = default;
-        ref readonly ConvexShape shape = ref side.Part(part, ref room);
+        ref readonly ConvexShape shape = ref side.ShapeOf(part, ref room);
         shape.Support(along, out Double3 point);
         return Double3.Dot(along, shape.Center + point) + shape.Margin;
     }
 
-    private static double Length(PartSide side) =>
+    private static double LengthsOf(PartSide side) =>
         2 * (side.Tree.Origin.SumOfMagnitudes + side.Tree.Radius) + side.Margin;
 
-    /// <summary>How far the parts below each box of a side reach along the normal.</summary>
+    /// <summary>Keeps how far the parts below each box of a side reach along the normal.</summary>
     private sealed class Reaches
     {
         private double[] _values = [];

@@ -29,7 +29,7 @@ public readonly struct RayHit : IComparable<RayHit>
     public bool IsHit => Result.IsHit;
 
     /// <summary>The same with an object of a scene.</summary>
-    internal RayHit Of(int id) => new(Result, Part, id);
+    internal RayHit WithId(int id) => new(Result, Part, id);
 
     /// <summary>The same where the ray enters a solid, or leaves it, with the normal of that.</summary>
     internal RayHit Crossing(bool isExit) => new(isExit ? Result.Exit : Result.On(back: false), Part, Id);

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>The contact of two parts as the bodies show it that they are of: along the parts' own way out where both
-/// bodies end there; else along a triangle's face, if the pair needs a contact.</summary>
+/// <summary>Finds the contact of two parts as their bodies show it: along the parts' own way out, where both bodies end
+/// there; else along a triangle's face, if the pair needs a contact.</summary>
 internal static class SeamContacts
 {
     /// <summary>Count of <see cref="CoveredSides.Room"/>: planes that are across each other cross at 26 degrees or
@@ -9,7 +9,7 @@ internal static class SeamContacts
     /// sum of magnitudes, at most the root of 3. CrossingSheetTests has a point that needs some of it.</summary>
     private const double Level = 4;
 
-    /// <summary>Ratio to a part's radius: what is beside a triangle by more than that is so in spite of rounding. More
+    /// <summary>Ratio to a part's radius: a part further beside a triangle is beside it in spite of rounding. More
     /// costs time only; at a quarter, contacts are lost, as FarContactTests shows.</summary>
     private const double Beside = 1.125;
 
@@ -21,12 +21,12 @@ internal static class SeamContacts
     /// <param name="contacts">Gets the contact that needs no others to be judged.</param>
     public static void Find(ConcaveScratch scratch, in PairDistance pair, float maxGap, List<PairContacts> contacts)
     {
-        scratch.Select(pair.Pair);
+        scratch.SelectGround(pair.Pair);
         PartSide a = scratch.A, b = scratch.B;
         if (ContactCone.IsInnerWall(a, pair.PartA) || ContactCone.IsInnerWall(b, pair.PartB)) return;
         ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape shapeA = ref a.Part(pair.PartA, ref roomA);
-        ref readonly ConvexShape shapeB = ref b.Part(pair.PartB, ref roomB);
+        ref readonly ConvexShape shapeA = ref a.ShapeOf(pair.PartA, ref roomA);
+        ref readonly ConvexShape shapeB = ref b.ShapeOf(pair.PartB, ref roomB);
         ContactPlane plane = default;
         DistanceResult result = ConvexQuery.Contacts(
             shapeA, a.Pose, shapeB, b.Pose, maxGap, ref plane, out ContactManifold manifold);
@@ -35,7 +35,7 @@ internal static class SeamContacts
             ? plane.NormalOfQuery
             : (Double3)result.Normal;
         ContactFit fitA = Judge(a, pair.PartA, normal), fitB = Judge(b, pair.PartB, -normal);
-        if (!a.IsConvex || !b.IsConvex) DeepestPoint.Lead(ref manifold);
+        if (!a.IsConvex || !b.IsConvex) DeepestPoint.MoveToFront(ref manifold);
         var own = new PairContacts(pair.PartA, pair.PartB, result, manifold, pair.Pair);
         if (fitA == ContactFit.Stays && fitB == ContactFit.Stays)
         {
@@ -58,8 +58,8 @@ internal static class SeamContacts
         search.Add(contacts);
     }
 
-    /// <summary>Takes out the contacts at sides that the other parts of their body cover; of parts that overlap or
-    /// touch, what may hold them instead is kept, as sides may cover each other where more than two meet.</summary>
+    /// <summary>Removes the contacts at sides that other parts of their body cover. For parts that overlap or touch, it
+    /// keeps what may hold them instead: sides may cover each other where more than two meet.</summary>
     public static void RemoveCovered(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
         if (!scratch.A.IsConvex) RemoveCovered(scratch, true, maxGap, contacts);
@@ -95,7 +95,7 @@ internal static class SeamContacts
 
         foreach (FaceContact one in scratch.FaceContacts)
         {
-            // A face that is much deeper than its pair is pushed along only where nothing else pushes.
+            // A face much deeper than its pair pushes only where nothing else does.
             if (one.IsOfA == isA && !(one.Own > one.Contact.Result.Distance * ContactPush.MuchLess))
                 CoveredSides.AddPlane(scratch, isA, one.Contact, planes);
         }
@@ -104,7 +104,7 @@ internal static class SeamContacts
         for (int i = 0; i < contacts.Count; i++)
         {
             PairContacts one = contacts[i];
-            scratch.Select(one.Pair);
+            scratch.SelectGround(one.Pair);
             if (!IsCovered(scratch, isA, one, areAtJoints[i]))
             {
                 FlushSides.KeepShown(ref one, new PartsCover(scratch, isA, one));
@@ -117,7 +117,7 @@ internal static class SeamContacts
         contacts.RemoveRange(kept, contacts.Count - kept);
     }
 
-    /// <summary>Whether a contact is no deeper than the pairs are near.</summary>
+    /// <summary>Whether a contact is no deeper than the gap of the pairs.</summary>
     private static bool IsNear(in PairContacts one, float maxGap) => !(-one.Result.Distance > maxGap);
 
     private static void RemoveCoveredFaces(ConcaveScratch scratch, bool isA)
@@ -143,18 +143,19 @@ internal static class SeamContacts
         return one.Result.Distance <= Level * (CoveredSides.Room * point.SumOfMagnitudes + rounding);
     }
 
-    /// <summary>World units: parts that are level are no further apart than this, whichever body goes on.</summary>
+    /// <summary>World units: level parts are no further apart than this, whichever body goes on.</summary>
     public static double LevelRoomOf(in DistanceResult at)
     {
         double lengths = ((Double3)at.LocalPointA).SumOfMagnitudes + ((Double3)at.LocalPointB).SumOfMagnitudes;
         return Level * (CoveredSides.Room * lengths + CoveredSides.RoundingAt(at.PointA));
     }
 
-    /// <summary>Whether another part of its body goes on where a contact is.</summary>
+    /// <summary>Whether another part of a contact's body goes on at the contact.</summary>
     /// <param name="scratch">With both bodies.</param>
     /// <param name="isA">Whether the body is A.</param>
     /// <param name="one">The contact.</param>
-    /// <param name="isNear">Whether it is no deeper than the pairs are near: what covers it is among them.</param>
+    /// <param name="isNear">Whether it is no deeper than the gap of the pairs, so that what covers it is among
+    /// them.</param>
     private static bool IsAtJoint(ConcaveScratch scratch, bool isA, in PairContacts one, bool isNear = false)
     {
         if (!scratch.SideOf(one.Pair.A, isA).HasJoints) return false;
@@ -169,23 +170,23 @@ internal static class SeamContacts
         var cover = new PartsCover(scratch, isA, one);
         if (!CoveredSides.IsAnyAcross(scratch.Planes, cover.Outward)) return isAtJoint;
         ConvexShape room = default;
-        ref readonly ConvexShape part = ref cover.Part(ref room);
+        ref readonly ConvexShape part = ref cover.OwnShape(ref room);
         return isAtJoint
             ? !CoveredSides.StandsOn(part, scratch.Planes, cover)
             : CoveredSides.IsBuried(one.Manifold, part, scratch.Planes, cover);
     }
 
-    /// <summary>What holds two parts that overlap, if they need it: the way that the union shows, or else their
+    /// <summary>Keeps what holds two parts that overlap, if they need it: the way that the union shows, or else their
     /// own.</summary>
     private static void Replace(
         ConcaveScratch scratch, bool isA, in PairContacts one, bool isAtJoint, float maxGap)
     {
-        Double3 way = isAtJoint ? new PartsCover(scratch, isA, one).EndNear().Normal : default;
+        Double3 way = isAtJoint ? new PartsCover(scratch, isA, one).FindEnd().Normal : default;
         PairContacts held = one;
         bool isThere = way.LengthSquared > 0
             && Judge(isA ? scratch.B : scratch.A, one.PartOf(!isA), -way) == ContactFit.Stays
             && IsTipShown(scratch, isA, one, way)
-            && CoveredSides.TryAlong(scratch, isA, ref held, maxGap, way)
+            && CoveredSides.TryReplaceAlong(scratch, isA, ref held, maxGap, way)
             && !IsAtJoint(scratch, isA, held);
         if (isThere) scratch.FaceContacts.Add(new FaceContact(held, one, isA));
         else scratch.Orphans.Add(new FaceContact(one));
@@ -197,18 +198,18 @@ internal static class SeamContacts
         PartSide side = isA ? scratch.A : scratch.B, otherSide = isA ? scratch.B : scratch.A;
         int other = one.PartOf(!isA);
         ConvexShape room = default, otherRoom = default;
-        ref readonly ConvexShape own = ref side.Part(one.PartOf(isA), ref room);
+        ref readonly ConvexShape own = ref side.ShapeOf(one.PartOf(isA), ref room);
         ManifoldPoint tip = CoveredSides.Tip(
-            own, side.Pose, otherSide.Part(other, ref otherRoom), otherSide.Pose, way);
+            own, side.Pose, otherSide.ShapeOf(other, ref otherRoom), otherSide.Pose, way);
         return JoinedGrounds.IsOn(scratch, side, isA, own, tip.LocalPointA)
             && !JoinedGrounds.GoesOn(scratch, otherSide, other, tip.PointB, -way);
     }
 
-    /// <summary>Whether a body ends at a part along a direction in the world.</summary>
+    /// <summary>How the end of a body at a part fits a direction in the world.</summary>
     public static ContactFit Judge(PartSide side, int part, in Double3 direction)
     {
         if (side.Mesh is null || direction.LengthSquared == 0) return ContactFit.Stays;
-        return new ContactCone(side, part, new RotationD(side.Pose.Rotation).InverseRotate(direction)).Judge();
+        return new ContactCone(side, part, side.ToLocalDirection(direction)).Judge();
     }
 
     /// <summary>Whether a convex part is apart from a triangle and beside what is over or under that, where its surface
@@ -217,9 +218,9 @@ internal static class SeamContacts
         PartSide mesh, int triangle, ContactFit fit, PartSide other, in ConvexShape shape, in DistanceResult own)
     {
         if (fit != ContactFit.Ghost || other.Mesh is not null || !(own.Distance > 0)) return false;
-        Double3 to = CoveredSides.InWorld(shape.Center, other.Pose) - mesh.Pose.Position;
-        return new TriangleColumn(mesh.Mesh!, triangle, ContactCone.NormalOf(mesh, triangle))
-            .IsBeside(new RotationD(mesh.Pose.Rotation).InverseRotate(to), Beside * shape.BoundingRadius);
+        Double3 middle = mesh.ToLocal(other.ToWorld(shape.Center));
+        return new TriangleColumn(mesh, triangle, ContactCone.NormalOf(mesh, triangle))
+            .IsBeside(middle, Beside * shape.BoundingRadius);
     }
 
     /// <summary>A pair of a convex part and a mesh that goes on: the convex part's face is the one to be pushed along,
@@ -231,7 +232,7 @@ internal static class SeamContacts
     {
         bool isOverlapping = own.Result.Distance < 0;
         PartSide convex = isConvexA ? scratch.A : scratch.B, other = isConvexA ? scratch.B : scratch.A;
-        if (convex.Mesh is not null) return false;
+        if (convex.IsTriangle(own.PartOf(isConvexA))) return false;
         Double3 outward = isConvexA ? normal : -normal;
         RotationD toOther = new(other.Pose.Rotation), toConvex = new(convex.Pose.Rotation);
         int triangle = own.PartOf(!isConvexA);
@@ -256,7 +257,7 @@ internal static class SeamContacts
             manifold.Begin((Vector3)normal);
             manifold.Add(isConvexA ? point : point.Swapped);
             int partA = isConvexA ? own.PartA : corner / 3, partB = isConvexA ? corner / 3 : own.PartB;
-            contact = DeepestPoint.Contact(partA, partB, manifold, own);
+            contact = DeepestPoint.MakeContact(partA, partB, manifold, own);
         }
 
         scratch.FaceContacts.Add(new FaceContact(contact, own, isConvexA));

@@ -1,10 +1,9 @@
 namespace Gjk.Core;
 
-/// <summary>The contact of a triangle's face with another shape's tip: the point that is furthest against the face's
+/// <summary>The contact of a triangle's face with another shape's tip: the point furthest against the face's
 /// normal.</summary>
-/// <remarks>Where a corner or a round side is nearer to a seam than it is deep, the pair's shortest way out leads over
-/// the seam, where the surface goes on. What the surface shows there is a face: that of the triangle over which the tip
-/// lies.</remarks>
+/// <remarks>If a corner or a round side is nearer to a seam than it is deep, the pair's shortest way out leads over the
+/// seam, where the surface goes on. What the surface shows there is the face under the tip.</remarks>
 internal readonly ref struct TipContact
 {
     private readonly PartSide _mesh, _other;
@@ -21,8 +20,7 @@ internal readonly ref struct TipContact
     public TipContact(PartSide mesh, int triangle, PartSide other, in ConvexShape shape, in Double3 face)
         : this(mesh, triangle, other, face)
     {
-        Double3 against = new RotationD(other.Pose.Rotation).InverseRotate(
-            new RotationD(mesh.Pose.Rotation).Rotate(-face));
+        Double3 against = other.ToLocalDirection(mesh.ToWorldDirection(-face));
         _corner = shape.Support(against, out Double3 point);
         _tip = InMesh(shape.Center + point) - face * shape.Margin;
         Gap = Double3.Dot(face, _tip - _column.Corner);
@@ -39,7 +37,7 @@ internal readonly ref struct TipContact
     private TipContact(PartSide mesh, int triangle, PartSide other, in Double3 face)
     {
         (_mesh, _other, _face) = (mesh, other, face);
-        _column = new TriangleColumn(mesh.Mesh!, triangle, face);
+        _column = new TriangleColumn(mesh, triangle, face);
         (_tip, Gap) = (default, 0);
     }
 
@@ -50,7 +48,7 @@ internal readonly ref struct TipContact
     public bool IsOver => _column.Holds(_tip);
 
     /// <summary>The tip in the world.</summary>
-    public Double3 Placed => CoveredSides.InWorld(_tip, _mesh.Pose);
+    public Double3 TipInWorld => _mesh.ToWorld(_tip);
 
     /// <summary>A manifold of the tip.</summary>
     /// <param name="isMeshA">Whether the mesh is the first side.</param>
@@ -60,7 +58,7 @@ internal readonly ref struct TipContact
         Double3 foot = _tip - _face * Gap, normal = toWorld.Rotate(_face), placed = toWorld.Rotate(_tip);
         var onMesh = (Vector3)(toWorld.Rotate(foot) + _mesh.Pose.Position);
         var onOther = (Vector3)(placed + _mesh.Pose.Position);
-        var local = (Vector3)new RotationD(_other.Pose.Rotation).InverseRotate(placed - Offset);
+        var local = (Vector3)_other.ToLocalDirection(placed - Offset);
         uint corner = _corner >= 0 ? ContactFeature.Corner(_corner) : ContactFeature.None;
         var point = new ManifoldPoint(
             onMesh, onOther, (Vector3)foot, local, (float)Gap, ContactFeature.Of(ContactFeature.None, corner));
@@ -74,6 +72,5 @@ internal readonly ref struct TipContact
     private Double3 Offset => (Double3)_other.Pose.Position - _mesh.Pose.Position;
 
     /// <summary>A point of the other side in the mesh's frame.</summary>
-    private Double3 InMesh(in Double3 point) => new RotationD(_mesh.Pose.Rotation).InverseRotate(
-        new RotationD(_other.Pose.Rotation).Rotate(point) + Offset);
+    private Double3 InMesh(in Double3 point) => _mesh.ToLocalDirection(_other.ToWorldDirection(point) + Offset);
 }

@@ -1,29 +1,29 @@
 namespace Gjk.Core;
 
-/// <summary>A round side or edge touches a face along a line. A part that ends beside that line has points there too,
-/// which a body that goes on to the line, flat, does not show.</summary>
+/// <summary>The line along which a round side or edge touches a face. A part that ends beside that line has contact
+/// points there, too. A body that goes on to the line, flat, does not show them.</summary>
 internal readonly struct TouchLine(in Double3 from, in Double3 along, in Double3 outward, double radius)
 {
-    /// <summary>Ratio to the radius of a part with a round side: what is beside its line by less is as deep as that,
-    /// but for 2^-21 of the radius.</summary>
+    /// <summary>Ratio to the radius of a part with a round side: a point less far beside the line is as deep as the
+    /// line, up to 2^-21 of the radius.</summary>
     private const double Beside = 1.0 / (1 << 10);
 
-    /// <summary>Cosine of 6 degrees: a face that is tilted by more, as much as <see cref="MeetingEdges"/> allows, meets
+    /// <summary>Cosine of 6 degrees: a face tilted by more, as much as <see cref="MeetingEdges"/> allows, touches
     /// another one with its edge.</summary>
     private const double Tilted = 0.995;
 
     private readonly Double3 _from = from, _along = along, _outward = outward;
     private readonly double _least = Beside * radius;
 
-    /// <summary>Takes out the points beside the lines of round sides; a contact's deepest only where another one is
-    /// deeper the same way.</summary>
-    public static void KeepOn(ConcaveScratch scratch, List<PairContacts> contacts)
+    /// <summary>Removes the points beside the lines of round sides. A contact's deepest point is only removed if
+    /// another contact is deeper in the same direction.</summary>
+    public static void RemoveBeside(ConcaveScratch scratch, List<PairContacts> contacts)
     {
-        if (!scratch.A.IsConvex) KeepOn(scratch, true, contacts);
-        if (!scratch.B.IsConvex) KeepOn(scratch, false, contacts);
+        if (!scratch.A.IsConvex) RemoveBeside(scratch, true, contacts);
+        if (!scratch.B.IsConvex) RemoveBeside(scratch, false, contacts);
     }
 
-    private static void KeepOn(ConcaveScratch scratch, bool isA, List<PairContacts> contacts)
+    private static void RemoveBeside(ConcaveScratch scratch, bool isA, List<PairContacts> contacts)
     {
         ConvexShape room = default;
         int count = 0;
@@ -32,13 +32,13 @@ internal readonly struct TouchLine(in Double3 from, in Double3 along, in Double3
             PairContacts one = contacts[i];
             PartSide other = scratch.SideOf(one.Pair.A, !isA);
             Double3 outward = isA ? one.Manifold.Normal : -one.Manifold.Normal;
-            ref readonly ConvexShape shape = ref other.Part(one.PartOf(!isA), ref room);
+            ref readonly ConvexShape shape = ref other.ShapeOf(one.PartOf(!isA), ref room);
             if (other.Mesh is null && TryFind(shape, other.Pose, outward, out TouchLine line))
             {
                 var cover = new PartsCover(scratch, isA, one);
-                ManifoldPoint deepest = one.Manifold[DeepestPoint.Of(one.Manifold)];
+                ManifoldPoint deepest = one.Manifold[DeepestPoint.IndexIn(one.Manifold)];
                 if (line.IsBeside(deepest, cover) && IsAnyDeeper(contacts, one, isA)) continue;
-                one = line.KeepOn(one, cover);
+                one = line.WithoutBeside(one, cover);
             }
 
             contacts[count++] = one;
@@ -48,11 +48,11 @@ internal readonly struct TouchLine(in Double3 from, in Double3 along, in Double3
     }
 
     /// <summary>A contact with its deepest point and those that are not beside the line.</summary>
-    private PairContacts KeepOn(in PairContacts contact, in PartsCover body)
+    private PairContacts WithoutBeside(in PairContacts contact, in PartsCover body)
     {
         ContactManifold kept = default;
         kept.Begin(contact.Manifold.Normal);
-        int deepest = DeepestPoint.Of(contact.Manifold);
+        int deepest = DeepestPoint.IndexIn(contact.Manifold);
         for (int k = 0; k < contact.Manifold.Count; k++)
             if (k == deepest || !IsBeside(contact.Manifold[k], body)) kept.Add(contact.Manifold[k]);
         return new PairContacts(contact.PartA, contact.PartB, contact.Result, kept, contact.Pair);
@@ -75,7 +75,8 @@ internal readonly struct TouchLine(in Double3 from, in Double3 along, in Double3
         return false;
     }
 
-    /// <summary>The line that a shape with a round side or edge shows to a surface, whose way out is given.</summary>
+    /// <summary>Finds the line that a shape with a round side or edge shows to a surface, given the contact's
+    /// normal.</summary>
     private static unsafe bool TryFind(
         in ConvexShape shape, in RigidPose pose, in Double3 outward, out TouchLine line)
     {
@@ -89,7 +90,7 @@ internal readonly struct TouchLine(in Double3 from, in Double3 along, in Double3
         if (count < 2 || (corners.Side == RoundSide.None && shape.Margin == 0)) return false;
         if (count > 2)
         {
-            if (Math.Abs(Double3.Dot(ContactCone.FaceOf(corners[0], corners[1], corners[2]), local)) > Tilted)
+            if (Math.Abs(Double3.Dot(ContactCone.UnitNormalOf(corners[0], corners[1], corners[2]), local)) > Tilted)
                 return false;
             for (int i = 1; i < count; i++)
                 if (Double3.Dot(corners[i] - corners[first], local) > 0) first = i;
@@ -104,7 +105,7 @@ internal readonly struct TouchLine(in Double3 from, in Double3 along, in Double3
         return true;
     }
 
-    /// <summary>Whether a point is beside the line, as seen along the way out, and a body goes on to that.</summary>
+    /// <summary>Whether a point is beside the line, seen along the normal, and a body goes on to the line.</summary>
     private bool IsBeside(in ManifoldPoint point, in PartsCover body)
     {
         Double3 foot = CoveredSides.FootOf(point, body.IsA, body.Side.Pose);

@@ -1,31 +1,32 @@
 namespace Gjk.Core;
 
-/// <summary>What is over or under a triangle, along its normal.</summary>
+/// <summary>The column of space over and under a triangle, along its normal.</summary>
 internal readonly struct TriangleColumn
 {
     private readonly Double3 _a, _b, _c, _face;
 
-    /// <param name="mesh">The surface.</param>
+    /// <param name="side">Of which it is a part.</param>
     /// <param name="triangle">Its number.</param>
     /// <param name="face">Its normal, to either side.</param>
-    public TriangleColumn(TriangleMesh mesh, int triangle, in Double3 face)
+    public TriangleColumn(PartSide side, int triangle, in Double3 face)
     {
-        mesh.GetCorners(triangle, out _a, out _b, out _c);
+        side.GetCorners(triangle, out _a, out _b, out _c);
         _face = Double3.Dot(Double3.Cross(_b - _a, _c - _a), face) < 0 ? -face : face;
     }
 
     /// <summary>A corner of the triangle.</summary>
     public Double3 Corner => _a;
 
-    /// <summary>Whether a point is in it, or beside it by what seams may bend without counting as bent.</summary>
+    /// <summary>Whether a point is in the column, or beside it by no more than a seam may bend without counting as
+    /// bent.</summary>
     public bool Holds(in Double3 point) =>
         IsInside(_a, _b, point) && IsInside(_b, _c, point) && IsInside(_c, _a, point);
 
-    /// <summary>Whether a ball is beside it.</summary>
+    /// <summary>Whether a ball is wholly beside the column.</summary>
     public bool IsBeside(in Double3 middle, double radius) =>
         !IsInside(_a, _b, middle, radius) || !IsInside(_b, _c, middle, radius) || !IsInside(_c, _a, middle, radius);
 
-    /// <summary>Whether a ball reaches what is inside an edge.</summary>
+    /// <summary>Whether a ball reaches the inner side of an edge.</summary>
     private bool IsInside(in Double3 from, in Double3 to, in Double3 middle, double radius = 0)
     {
         Double3 edge = to - from;

@@ -4,8 +4,8 @@ using Floats = System.Runtime.Intrinsics.Vector256<float>;
 
 namespace Gjk.Core;
 
-/// <summary>The triangles of two leaves: all pairs are measured in float, and those that may be the nearest are given
-/// out, the one that seems nearest first.</summary>
+/// <summary>Measures all pairs of two leaves' triangles in float, and gives out those that may be the nearest, the one
+/// that seems nearest first.</summary>
 internal sealed unsafe class TriangleFilter
 {
     /// <summary>Ratio to the trees' sizes and distance: 2^-45; turning corners in double loses less.</summary>
@@ -21,12 +21,12 @@ internal sealed unsafe class TriangleFilter
     private readonly float[] _bounds = new float[Most * Most + PartTree.Lanes];
     private int _turnedLeaf, _countB;
 
-    /// <summary>How many pairs may count still.</summary>
+    /// <summary>How many pairs there are.</summary>
     private int _left;
 
     private float _room;
 
-    /// <summary>Forgets the leaf of another query.</summary>
+    /// <summary>Prepares for another query.</summary>
     public void Reset(in TreeFrame frame)
     {
         _turnedLeaf = PartTree.Empty;
@@ -70,8 +70,8 @@ internal sealed unsafe class TriangleFilter
         _left = total;
     }
 
-    /// <summary>Takes the pair that seems nearest of those whose bounds are within what is reached.</summary>
-    public bool TryTake(float reached, out int first, out int second)
+    /// <summary>Gives out the pair that seems nearest, of those whose bounds do not exceed the limit.</summary>
+    public bool TryPopNearest(float reached, out int first, out int second)
     {
         int best = -1;
         for (int i = 0; i < _left; i++)
@@ -82,7 +82,7 @@ internal sealed unsafe class TriangleFilter
         return best >= 0;
     }
 
-    /// <summary>A's corners in the frame of B's tree and pair units.</summary>
+    /// <summary>Writes A's corners in the frame of B's tree and in pair units.</summary>
     private void TurnCorners(in TreeFrame frame, PartSide a, int leaf)
     {
         _turnedLeaf = leaf;
@@ -97,7 +97,7 @@ internal sealed unsafe class TriangleFilter
         }
     }
 
-    /// <summary>Both leaves' corners in float, measured from B's first one.</summary>
+    /// <summary>Writes both leaves' corners in float, relative to B's first one.</summary>
     private void PlaceCorners(in TreeFrame frame, PartSide b, int leaf, int countA)
     {
         int first = PartTree.FirstOf(leaf);
@@ -120,9 +120,9 @@ internal sealed unsafe class TriangleFilter
         (to[at], to[at + 1], to[at + 2]) = ((float)v.X, (float)v.Y, (float)v.Z);
 }
 
-/// <summary>Eight pairs of triangles: how far apart they seem, and a bound below which they are not. An edge of one and
-/// an edge of the other (9), a corner over the inside of the other (6): Ericson, "Real-Time Collision Detection",
-/// 5.1.9.</summary>
+/// <summary>Measures eight pairs of triangles: how far apart they seem, and a lower bound of their distance. Compares
+/// each edge of one with each edge of the other (9), and each corner with the inside of the other triangle (6):
+/// Ericson, "Real-Time Collision Detection", 5.1.9.</summary>
 /// <remarks>What is found only proposes a direction. The bound is the gap between the two planes across it that the
 /// corners leave, so that it holds however the direction was found; pairs that pierce each other have none. Rounding,
 /// with u = 2^-24, M the largest coordinate and |w| the sum of the direction's: a corner is rounded by u M in each
@@ -137,10 +137,10 @@ internal static unsafe class TriangleLanes
     /// <summary>Ratio: 16 u; see the remarks. Pinned by TriangleLanesTests.</summary>
     private const float CornerError = 16f / (1 << 24);
 
-    /// <summary>Squared lengths in pair units: what is shorter has no direction.</summary>
+    /// <summary>Squared lengths in pair units: shorter vectors have no direction.</summary>
     private const float Tiny = 1e-36f;
 
-    /// <summary>Ratio: edges more nearly parallel are taken as parallel; it only proposes.</summary>
+    /// <summary>Ratio: edges more nearly parallel are taken as parallel. The bound holds all the same.</summary>
     private const float Parallel = 1e-6f;
 
     private struct Best
@@ -162,7 +162,7 @@ internal static unsafe class TriangleLanes
 
     /// <summary>Whether planes across the lines of the centres show all eight pairs further apart.</summary>
     /// <param name="p">The first triangles, then the second.</param>
-    /// <param name="room">Pair units: what the corners may be off by before they were rounded.</param>
+    /// <param name="room">Pair units: the error of the corners before they were rounded.</param>
     /// <param name="reached">A squared distance, from <see cref="BoxLanes.Squared"/>.</param>
     public static bool AreApart(float* p, float room, float reached)
     {

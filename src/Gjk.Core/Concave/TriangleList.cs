@@ -1,6 +1,6 @@
 namespace Gjk.Core;
 
-/// <summary>Vertices, and which of them each triangle has: lists as they were given, or the cells of a grid.</summary>
+/// <summary>Vertices and triangles: lists as they were given, or the cells of a grid.</summary>
 /// <remarks>A grid has a vertex for each height, row by row: x is the column times the spacing, z (y where z is up) the
 /// row times the spacing, both rounded to float. A cell is cut from its corner in the next column to that in the next
 /// row. Its triangles are 2 cell, with the corner of the least column and row, and 2 cell + 1; both are
@@ -25,8 +25,8 @@ internal sealed class TriangleList
         (VertexCount, SideCount) = (vertices.Length, sides);
     }
 
-    /// <summary>The same with triangles that are no parts, after the others.</summary>
-    public TriangleList With(int[] fill) => new(_vertices, [.. CopyIndices(), .. fill], SideCount);
+    /// <summary>The same list with triangles appended that are no parts.</summary>
+    public TriangleList WithFill(int[] fill) => new(_vertices, [.. CopyIndices(), .. fill], SideCount);
 
     public TriangleList(float[] heights, int columns, Vector2 spacing, bool isZUp)
     {
@@ -49,25 +49,25 @@ internal sealed class TriangleList
     public Vector3 Vertex(int index) =>
         _heights is null ? _vertices[index] : Vertex(index, index / _columns, index % _columns);
 
-    /// <summary>Where the corners of a triangle are.</summary>
+    /// <summary>The positions of a triangle's corners.</summary>
     /// <param name="side">Three times the triangle.</param>
     /// <param name="a">The first corner.</param>
     /// <param name="b">The second corner.</param>
     /// <param name="c">The third corner.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Places(int side, out Vector3 a, out Vector3 b, out Vector3 c)
+    public void GetPositions(int side, out Vector3 a, out Vector3 b, out Vector3 c)
     {
         if (_heights is null)
             (a, b, c) = (_vertices[_indices[side]], _vertices[_indices[side + 1]], _vertices[_indices[side + 2]]);
-        else PlacesInGrid(side, out a, out b, out c);
+        else GetGridPositions(side, out a, out b, out c);
     }
 
-    /// <summary>The corners of a triangle.</summary>
+    /// <summary>The vertices of a triangle.</summary>
     /// <param name="side">Three times the triangle.</param>
     /// <param name="a">The first vertex.</param>
     /// <param name="b">The second vertex.</param>
     /// <param name="c">The third vertex.</param>
-    public void Corners(int side, out int a, out int b, out int c)
+    public void GetVertices(int side, out int a, out int b, out int c)
     {
         if (_heights is null)
         {
@@ -82,15 +82,21 @@ internal sealed class TriangleList
         if (_isZUp) (b, c) = (c, b);
     }
 
+    /// <summary>The next side of the same triangle: it begins where the side ends.</summary>
+    public static int NextSide(int side) => side % 3 == 2 ? side - 2 : side + 1;
+
+    /// <summary>The side of the same triangle that ends where the side begins.</summary>
+    public static int PreviousSide(int side) => side % 3 == 0 ? side + 2 : side - 1;
+
     /// <summary>The vertex at which a side begins.</summary>
-    public int Corner(int side)
+    public int VertexOf(int side)
     {
         if (_heights is null) return _indices[side];
-        Corners(side - side % 3, out int a, out int b, out int c);
+        GetVertices(side - side % 3, out int a, out int b, out int c);
         return side % 3 == 0 ? a : side % 3 == 1 ? b : c;
     }
 
-    private void PlacesInGrid(int side, out Vector3 a, out Vector3 b, out Vector3 c)
+    private void GetGridPositions(int side, out Vector3 a, out Vector3 b, out Vector3 c)
     {
         int cell = side / 6, row = cell / (_columns - 1), at = cell + row, column = at - row * _columns;
         bool isFirst = side == 6 * cell;
@@ -114,7 +120,7 @@ internal sealed class TriangleList
         else _vertices[vertex].Y = height;
     }
 
-    /// <summary>The same with vertices of its own.</summary>
+    /// <summary>A copy with its own vertices.</summary>
     public TriangleList Copy() => _heights is not null
         ? new TriangleList((float[])_heights.Clone(), _columns, _spacing, _isZUp)
         : new TriangleList((Vector3[])_vertices.Clone(), _indices);
@@ -124,14 +130,14 @@ internal sealed class TriangleList
     {
         int[] indices = new int[SideCount];
         for (int i = 0; i < SideCount; i += 3)
-            Corners(i, out indices[i], out indices[i + 1], out indices[i + 2]);
+            GetVertices(i, out indices[i], out indices[i + 1], out indices[i + 2]);
         return indices;
     }
 
     /// <summary>One of the six sides of a grid that begin at a vertex, or -1 beyond its outline.</summary>
     public int SideInGrid(int vertex, int index)
     {
-        // Of the cell at the vertex, that before it in its row, and the same two of the row before.
+        // The cell at the vertex, the one before it in the row, and the same two of the row before.
         (int rowsBack, int columnsBack, int side) = index switch
         {
             0 => (0, 0, 0),
@@ -146,5 +152,32 @@ internal sealed class TriangleList
         if (_isZUp && side % 3 != 0) side += side % 3 == 1 ? 1 : -1;
         bool isInside = row >= 0 && row < Rows - 1 && column >= 0 && column < across;
         return isInside ? 6 * (row * across + column) + side : -1;
+    }
+}
+
+/// <summary>Enumerates the sides of a mesh's triangles that begin at one place.</summary>
+internal ref struct CornerRing(TriangleList list, int[] around, int side)
+{
+    private readonly int _first = list.IsGrid ? list.VertexOf(side) : side;
+    private int _step;
+
+    /// <summary>A side: three times its triangle, plus the number of the corner.</summary>
+    public int Current { get; private set; } = -1;
+
+    public bool MoveNext()
+    {
+        if (!list.IsGrid)
+        {
+            Current = Current < 0 ? _first : around[Current];
+            return _step++ == 0 || Current != _first;
+        }
+
+        while (_step < 6)
+        {
+            Current = list.SideInGrid(_first, _step++);
+            if (Current >= 0) return true;
+        }
+
+        return false;
     }
 }

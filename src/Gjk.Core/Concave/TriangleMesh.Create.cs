@@ -46,7 +46,7 @@ public sealed partial class TriangleMesh
         return new TriangleMesh((new TriangleList(points, corners), topology), Scale, Tree);
     }
 
-    private static (TriangleList List, MeshTopology Topology) Checked(
+    private static (TriangleList List, MeshTopology Topology) CheckLists(
         IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, Workers? workers)
     {
         Workers.Check(workers);

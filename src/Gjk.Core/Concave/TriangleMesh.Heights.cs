@@ -62,7 +62,7 @@ public sealed partial class TriangleMesh
         }
         else
         {
-            grid.List(plain, CopyHoles(isHole, grid.CellCount), out Vector3[] points, out int[] corners);
+            grid.ListTriangles(plain, CopyHoles(isHole, grid.CellCount), out Vector3[] points, out int[] corners);
             lists = ListsOf(points, corners);
         }
 

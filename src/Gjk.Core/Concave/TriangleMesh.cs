@@ -24,7 +24,7 @@ public sealed partial class TriangleMesh : IPartSource
     /// <summary>Where all vertices are, if the mesh is flat and its heights have not changed.</summary>
     internal MeshSlab? Slab { get; private set; }
 
-    /// <summary>Of each connected piece whether its normals look into the solid; empty where none do.</summary>
+    /// <summary>For each connected piece, whether its normals point into the solid; empty where none do.</summary>
     private readonly bool[] _looksIn;
 
     /// <summary>The scale in double, so that products with vertices are exact.</summary>
@@ -43,7 +43,7 @@ public sealed partial class TriangleMesh : IPartSource
     /// why.</exception>
     /// <exception cref="ObjectDisposedException">The workers were disposed of.</exception>
     public TriangleMesh(IReadOnlyList<Vector3> vertices, IReadOnlyList<int> indices, Workers? workers = null)
-        : this(Checked(vertices, indices, workers), Vector3.One, workers: workers)
+        : this(CheckLists(vertices, indices, workers), Vector3.One, workers: workers)
     {
     }
 
@@ -59,8 +59,8 @@ public sealed partial class TriangleMesh : IPartSource
             : PartTreeBuilder.Build(this, LeafSize, MostInLeaf, workers);
         _around = _topology.Around;
         int[] fill = CornersOnEdges.Fill(this, _topology.Borders);
-        if (fill.Length > 0) (_list, _around) = (_list.With(fill), _topology.AroundWith(_list.CopyIndices(), fill));
-        Slab = MeshSlab.Of(this);
+        if (fill.Length > 0) (_list, _around) = (_list.WithFill(fill), _topology.AroundWith(_list.CopyIndices(), fill));
+        Slab = MeshSlab.Find(this);
         _looksIn = PieceSides.LooksIn(this);
         Insides = HasInside ? [new SolidInside(this)] : [];
         HeightField = grid is null ? null : new HeightField(this, grid);
@@ -167,7 +167,7 @@ public sealed partial class TriangleMesh : IPartSource
     public void GetTriangle(int index, out int a, out int b, out int c)
     {
         Guard.Index(index, TriangleCount, nameof(index), "triangle");
-        _list.Corners(3 * index, out a, out b, out c);
+        _list.GetVertices(3 * index, out a, out b, out c);
     }
 
     /// <summary>One triangle of each connected piece.</summary>
@@ -178,7 +178,7 @@ public sealed partial class TriangleMesh : IPartSource
 
     /// <summary>The number of a triangle's connected piece.</summary>
     internal int PieceOf(int triangle) =>
-        _topology.Pieces.Length == 0 ? 0 : _topology.Pieces[_list.Corner(3 * triangle)];
+        _topology.Pieces.Length == 0 ? 0 : _topology.Pieces[_list.VertexOf(3 * triangle)];
 
     /// <summary>1 where a triangle's normal looks out of the solid, else -1.</summary>
     internal int OutwardOf(int triangle) => _looksIn.Length > 0 && _looksIn[PieceOf(triangle)] ? -1 : 1;
@@ -191,14 +191,14 @@ public sealed partial class TriangleMesh : IPartSource
     /// <summary>The corners of a triangle with the scale.</summary>
     internal void GetCorners(int triangle, out Double3 a, out Double3 b, out Double3 c)
     {
-        _list.Places(3 * triangle, out Vector3 first, out Vector3 second, out Vector3 third);
+        _list.GetPositions(3 * triangle, out Vector3 first, out Vector3 second, out Vector3 third);
         a = Double3.Multiply(first, _scale);
         b = Double3.Multiply(second, _scale);
         c = Double3.Multiply(third, _scale);
     }
 
     /// <summary>A vertex with the scale.</summary>
-    internal Double3 GetPlace(int vertex) => Double3.Multiply(_list.Vertex(vertex), _scale);
+    internal Double3 GetScaledVertex(int vertex) => Double3.Multiply(_list.Vertex(vertex), _scale);
 
     /// <inheritdoc cref="TriangleList.SetHeight"/>
     internal void SetHeight(int vertex, float height, bool isZUp)
@@ -207,7 +207,7 @@ public sealed partial class TriangleMesh : IPartSource
         _list.SetHeight(vertex, height, isZUp);
     }
 
-    /// <summary>How far the vertices reach along a direction; every so many of them are looked at.</summary>
+    /// <summary>How far the vertices reach along a direction; reads only every so many of them.</summary>
     internal double Reach(in Double3 direction, int step)
     {
         Double3 scaled = Double3.Multiply(direction, _scale);
@@ -218,15 +218,15 @@ public sealed partial class TriangleMesh : IPartSource
 
     /// <summary>A corner of a triangle with the scale.</summary>
     /// <param name="side">Three times the triangle, and the corner.</param>
-    internal Double3 GetCorner(int side) => GetPlace(VertexOf(side));
+    internal Double3 GetCorner(int side) => GetScaledVertex(VertexOf(side));
 
     /// <summary>The vertex at which a side begins.</summary>
-    internal int VertexOf(int side) => _list.Corner(side);
+    internal int VertexOf(int side) => _list.VertexOf(side);
 
     /// <summary>A triangle as a shape of its own.</summary>
     internal ConvexShape GetShape(int triangle)
     {
-        _list.Places(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
+        _list.GetPositions(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
         var shape = ConvexShape.Triangle(a, b, c);
         return IsScaled ? shape.Scaled(Scale) : shape;
     }
@@ -234,11 +234,11 @@ public sealed partial class TriangleMesh : IPartSource
     /// <summary>A triangle as a shape of its own, where there is no scale.</summary>
     internal TriangleShape GetPlain(int triangle)
     {
-        _list.Places(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
+        _list.GetPositions(3 * triangle, out Vector3 a, out Vector3 b, out Vector3 c);
         return new TriangleShape(a, b, c);
     }
 
-    /// <summary>A triangle as queries ask it.</summary>
+    /// <summary>A triangle as the solvers take it.</summary>
     internal void GetCore(int triangle, out TriangleCore core)
     {
         GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);

@@ -1,17 +1,17 @@
 namespace Gjk.Core;
 
-/// <summary>Whether a triangle is within a distance of a point, where double is enough to be certain. A point that is
-/// as good as on a triangle is the slowest to measure, and most that are asked are that or far away.</summary>
-/// <remarks>The error is that of a determinant, which is how far off a plane through three corners may be.</remarks>
+/// <summary>Decides whether a triangle is within a distance of a point, where double is certain. A point on a triangle,
+/// but for rounding, is the slowest to measure; most points are such, or far away.</summary>
+/// <remarks>The error is that of a determinant: how far a plane through three corners may be off.</remarks>
 internal readonly ref struct TriangleReach(in Double3 a, in Double3 b, in Double3 c, in Double3 point)
 {
-    /// <summary>The corners as seen from the point.</summary>
+    /// <summary>The corners relative to the point.</summary>
     private readonly Double3 _a = a - point, _b = b - point, _c = c - point;
 
-    /// <summary>No less than the distance to any corner.</summary>
+    /// <summary>An upper bound of the distance to any corner.</summary>
     public double Size => _a.SumOfMagnitudes + _b.SumOfMagnitudes + _c.SumOfMagnitudes;
 
-    /// <summary>Whether the triangle is certainly further away: by its box, or by its plane.</summary>
+    /// <summary>Whether the triangle is certainly further away, by its box or its plane.</summary>
     public bool IsBeyond(double room)
     {
         if (AreBeyond(_a.X, _b.X, _c.X, room) || AreBeyond(_a.Y, _b.Y, _c.Y, room)
@@ -25,8 +25,8 @@ internal readonly ref struct TriangleReach(in Double3 a, in Double3 b, in Double
         return Math.Abs(Double3.Dot(across, _a)) > room * across.SumOfMagnitudes + error;
     }
 
-    /// <summary>Whether the triangle is certainly no further away: a point of it is not, which is the nearest but for
-    /// rounding where the point is over the triangle, and near it beside an edge.</summary>
+    /// <summary>Whether the triangle is certainly no further away: one of its points is not. That point is the nearest,
+    /// up to rounding, if the point is over the triangle, and close to it beside an edge.</summary>
     public bool IsWithin(double room)
     {
         Double3 across = Double3.Cross(_b - _a, _c - _a);

@@ -1,6 +1,6 @@
 namespace Gjk.Core;
 
-/// <summary>A body that moves in a union of parts or objects.</summary>
+/// <summary>Casts of a body that moves in a union of parts or objects.</summary>
 internal interface IUnionCast
 {
     /// <summary>1 where the body is B, -1 where it is A.</summary>
@@ -9,30 +9,30 @@ internal interface IUnionCast
     /// <summary>Where the body is at a fraction.</summary>
     RigidPose PoseAt(float fraction);
 
-    /// <summary>World units: what the poses are off by where the body is put somewhere at a fraction.</summary>
+    /// <summary>World units: the rounding of the poses, with the body at a pose at a fraction.</summary>
     float RoundingAt(float fraction, in RigidPose pose);
 
-    /// <summary>How a point of the body moves, seen from the union.</summary>
+    /// <summary>The velocity of a point of the body, relative to the union.</summary>
     Double3 WayAt(in Double3 point, float fraction);
 
-    /// <summary>The first contact of the body that is put somewhere at the start and moves along a way, while the union
-    /// rests; without a way the shortest one out of the union.</summary>
-    CastResult Along(in RigidPose pose, Vector3 way);
+    /// <summary>The first contact of the body, at another pose at the start, along a way while the union rests. Without
+    /// a way, the shortest way out of the union.</summary>
+    CastResult CastAlong(in RigidPose pose, Vector3 way);
 
-    /// <summary>The first contact of the motion after a fraction, of the body that is put somewhere there; the fraction
-    /// is counted from there.</summary>
-    CastHit After(float fraction, in RigidPose pose, in CastOptions options);
+    /// <summary>The first contact of the rest of the motion after a fraction, with the body at another pose there. The
+    /// result's fraction is counted from there.</summary>
+    CastHit CastFrom(float fraction, in RigidPose pose, in CastOptions options);
 
-    /// <summary>Whether one of what meets has a face there.</summary>
+    /// <summary>Whether one of the two shows a face where they meet.</summary>
     bool ShowsFace(in CastHit hit);
 }
 
-/// <summary>Casts that pass shallow contacts, of a body that begins inside a union of parts or objects: the body is
-/// moved out of the union first, by the deepest way out after the other, and what it does not get deeper into from
-/// there is passed. So it slides along the union as along a single body, and a wall still stops it.</summary>
-/// <remarks>What begins outside may be in parts that it passes, as it leaves them before it is too deep, when
-/// the seam of the next one stops it. From just outside of them, with the rest of its motion, it meets their surface
-/// there, or a wall; so the seam is told from a wall.</remarks>
+/// <summary>Casts that pass shallow contacts, of a body that begins inside a union of parts or objects. First the body
+/// is moved out of the union, by one deepest way out after another. Contacts that get no deeper from there are passed.
+/// So the body slides along the union as along a single body, and walls still stop it.</summary>
+/// <remarks>A body that begins outside may enter parts that it passes. It leaves them before it is too deep, when the
+/// seam of the next one stops it. The rest of its motion is cast from just outside of them: there it meets their
+/// surface, or a wall. That tells a seam from a wall.</remarks>
 internal static class UnionLift
 {
     /// <summary>Count: a corner of a room takes three ways out; more are harmless.</summary>
@@ -42,20 +42,20 @@ internal static class UnionLift
     /// UnionSlideTests.</summary>
     private const float Rounding = 1f / (1 << 20);
 
-    /// <summary>A cosine, of 2.5 degrees: normals that differ by less are of one surface. Walls are far from it; a bend
-    /// that is smaller is climbed as well as stopped at.</summary>
+    /// <summary>A cosine, of 2.5 degrees: normals that differ by less are of one surface. Walls differ by far more; a
+    /// smaller bend is climbed as well as stopped at.</summary>
     private const float SameWay = 0.999f;
 
-    /// <summary>Ratio: 2^-10, the square of a sine, of 1.8 degrees. Between two walls that are as good as parallel no
-    /// way leads along one out of the other.</summary>
+    /// <summary>Ratio: 2^-10, the square of a sine, of 1.8 degrees. Between two nearly parallel walls no way along one
+    /// leads out of the other.</summary>
     private const double LeastAlong = 1.0 / (1 << 10);
 
-    /// <summary>Where the body is out of the union if it begins deeper in that than is allowed: what is inside may
-    /// slide along the union, over the seams of its parts.</summary>
+    /// <summary>Moves the body out of the union, if it begins deeper in that than is allowed. What is inside may slide
+    /// along the union, over the seams of its parts.</summary>
     /// <param name="union">With the body.</param>
     /// <param name="options">What is passed.</param>
     /// <param name="lifted">The pose.</param>
-    /// <param name="lift">The way there, before the pose is rounded to float.</param>
+    /// <param name="lift">The translation, before the pose is rounded to float.</param>
     /// <returns>False where it is not lifted.</returns>
     public static bool TryLift<T>(ref T union, in CastOptions options, out RigidPose lifted, out Double3 lift)
         where T : struct, IUnionCast
@@ -68,18 +68,18 @@ internal static class UnionLift
         Double3 last = default;
         for (int i = 0; i < MostLifts; i++)
         {
-            CastResult found = union.Along(lifted, Vector3.Zero);
+            CastResult found = union.CastAlong(lifted, Vector3.Zero);
             if (found.Status != CastStatus.OverlappingAtStart || !(found.Depth > allowed)) break;
 
-            // Near a covered side of two parts the way out of each leads into the other: it goes along the last one,
-            // which may take it over the surface, from where it could sink.
+            // Near a covered side of two parts, the way out of each leads into the other. So the second goes along the
+            // first; that may take it over the surface, from where it could sink.
             Double3 leaving = (Double3)found.Normal * union.Sign, way = leaving;
             double back = Double3.Dot(leaving, last), along = 1 - back * back;
             bool isBent = back < 0 && along > LeastAlong;
             if (isBent) way = (leaving - last * back) * (1 / along);
             way *= found.Depth;
 
-            // What is less deep than its position is rounded to lies on a seam as well as in it.
+            // A depth below the rounding of the position lies on a seam as well as in it.
             if (!TryMove(way, ref lifted))
             {
                 way = leaving * union.RoundingAt(0, lifted);
@@ -87,7 +87,7 @@ internal static class UnionLift
             }
 
             lift += way;
-            if (isBent && union.Along(lifted, (Vector3)(-way)) is { IsHit: true } met
+            if (isBent && union.CastAlong(lifted, (Vector3)(-way)) is { IsHit: true } met
                 && TryMove(-way * met.Fraction, ref lifted)) lift -= way * met.Fraction;
             (last, allowed) = (leaving, union.RoundingAt(0, lifted));
         }
@@ -103,22 +103,19 @@ internal static class UnionLift
         return true;
     }
 
-    /// <summary>World units: so far a body may be from where it was moved to.</summary>
+    /// <summary>World units: how far a body may be from the pose that it was moved to.</summary>
     public static float RoundingOf(in RigidPose pose) =>
         (float)Math.Min(Rounding * ((Double3)pose.Position).SumOfMagnitudes, float.MaxValue);
 
-    /// <summary>What is passed where a body is lifted to, and on the way there: what rounding makes. It begins deeper
-    /// than is allowed, and what it gets deeper by in short steps adds up.</summary>
-    public static CastOptions Within(float rounding) => CastOptions.OnlyDeeper(rounding);
-
-    /// <summary>Whether the way out of a part is that out of the union, against which the body moves: what gets deeper
-    /// in that part gets deeper in the union, by however little. Beside a flat floor's deepest triangle, the way out of
-    /// the next one leans to its edge, by what rounding hides: along the floor the body gets deeper in that one
-    /// only.</summary>
-    /// <param name="part">What a cast at the part says.</param>
-    /// <param name="lifted">Where the body is out of the union.</param>
-    /// <param name="lift">Its way there.</param>
-    /// <param name="way">How the body moves, seen from the union; 0 where it turns, as its points move apart.</param>
+    /// <summary>Whether a part's way out is that of the union, against which the body moves: then what gets deeper in
+    /// the part gets deeper in the union, by however little. Beside a flat floor's deepest triangle, the way out of the
+    /// next one leans to its edge, by what rounding hides. Along the floor the body only gets deeper in that
+    /// one.</summary>
+    /// <param name="part">The result of a cast at the part.</param>
+    /// <param name="lifted">The body's pose outside the union.</param>
+    /// <param name="lift">Its translation to there.</param>
+    /// <param name="way">The body's velocity relative to the union; 0 where it turns, as its points move
+    /// differently.</param>
     /// <param name="sign">1 where the body is B, -1 where it is A.</param>
     public static bool IsOutOf(
         in CastResult part, in RigidPose lifted, in Double3 lift, in Double3 way, float sign)
@@ -130,40 +127,40 @@ internal static class UnionLift
             <= RoundingOf(lifted) + Rounding * part.Depth;
     }
 
-    /// <summary>The first contact with the union, of those with its parts.</summary>
+    /// <summary>The first contact with the union, given the first one with its parts.</summary>
     /// <param name="union">With the body.</param>
     /// <param name="options">What is passed.</param>
-    /// <param name="lifted">Where the body is out of the union, or where it begins.</param>
-    /// <param name="touch">World units: so far apart the bodies touch.</param>
+    /// <param name="lifted">The body's pose outside the union, or the one where it begins.</param>
+    /// <param name="touch">World units: the distance at which the bodies touch.</param>
     /// <param name="hit">The first contact of a part that counts from both poses.</param>
-    public static CastHit OfUnion<T>(
+    public static CastHit FirstOfUnion<T>(
         ref T union, in CastOptions options, in RigidPose lifted, double touch, in CastHit hit)
         where T : struct, IUnionCast
     {
         RigidPose start = union.PoseAt(0);
         if (lifted != start)
         {
-            // The part that it comes down on need not be one that it leaves by the same way, so it may be passed where
-            // the body begins: the body would sink on. What is met at once is what it was lifted off, too.
+            // The part that the body comes down on may be passed from where it begins, if the body leaves that part by
+            // another way: it would sink on. What is met at once is what it was lifted off.
             float rounding = union.RoundingAt(0, lifted);
-            CastHit above = union.After(0, lifted, Within(rounding));
+            CastHit above = union.CastFrom(0, lifted, CastOptions.OnlyDeeper(rounding));
             CastResult met = above.Result;
             bool isBelow = union.Sign * Vector3.Dot(met.Normal, lifted.Position - start.Position) > 0
                 || union.WayAt(met.Point, 0).Length * met.Fraction <= rounding;
             if (above.IsHit && isBelow && (!hit.Result.MayHit || above.CompareTo(hit) < 0)) return above;
         }
 
-        return hit.IsHit && options.AllowedDepth > 0 ? OffSeam(ref union, options, touch, hit) : hit;
+        return hit.IsHit && options.AllowedDepth > 0 ? ReplaceSeamHit(ref union, options, touch, hit) : hit;
     }
 
-    /// <summary>What takes the place of a hit with the seam of what the body has been passing: the contact with the
-    /// surface, its first of all, as seams come later. The hit may be with a seam if the body goes deeper all the way
-    /// into a face that it passes. It is moved out of that, and a little further: if it then meets that surface, or
-    /// nothing, no wall was hit.</summary>
-    private static CastHit OffSeam<T>(ref T union, in CastOptions options, double touch, in CastHit hit)
+    /// <summary>Replaces a hit with the seam of a surface that the body has been passing by the contact with the
+    /// surface: the first of all, as seams come later. The hit may be with a seam if the body goes deeper all the way
+    /// into a face that it passes. The body is moved out of the face, and a little further. If it then meets that
+    /// surface, or nothing, no wall was hit.</summary>
+    private static CastHit ReplaceSeamHit<T>(ref T union, in CastOptions options, double touch, in CastHit hit)
         where T : struct, IUnionCast
     {
-        CastHit surface = union.After(0, union.PoseAt(0), default);
+        CastHit surface = union.CastFrom(0, union.PoseAt(0), default);
         CastResult first = surface.Result;
         if (!first.IsHit || hit.Result.Normal == first.Normal || !union.ShowsFace(surface)) return hit;
         RigidPose at = union.PoseAt(hit.Fraction);
@@ -172,7 +169,7 @@ internal static class UnionLift
         double deep = first.Depth + rate * between + 2 * room;
         bool isIn = rate > 0 && between >= 0 && deep <= 2 * Math.Max(options.AllowedDepth, first.Depth) + 4 * room;
         if (!isIn || !TryMove((Double3)first.Normal * (union.Sign * deep), ref at)) return hit;
-        CastResult above = union.After(hit.Fraction, at, default).Result;
+        CastResult above = union.CastFrom(hit.Fraction, at, default).Result;
         return !above.MayHit || Vector3.Dot(above.Normal, first.Normal) > SameWay ? surface : hit;
     }
 }

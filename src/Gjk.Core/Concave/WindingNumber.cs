@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>How often a closed mesh winds around a point: the triangles that a ray along x crosses, counted with their
-/// sides.</summary>
+/// <summary>Computes how often a closed mesh winds around a point: it counts the triangles that a ray along x crosses,
+/// with their sides.</summary>
 /// <remarks>Idea: looked at along x, a triangle winds around the point 1, -1 or 0 times; if it does, it counts if it
 /// lies ahead (Sunday, "Inclusion of a point in a polygon", 2001, in space). An edge belongs to the side on which its
 /// lower end is, so that a ray through edges and corners counts each crossing of the surface once: two triangles at an
@@ -20,7 +20,7 @@ internal sealed class WindingNumber
     /// <summary>Ratio to lengths in tree units: 2^-20, some roundings of float. More costs time only.</summary>
     private const double BoxRoom = 1.0 / (1 << 20);
 
-    /// <summary>42 products of three numbers, of which four parts each may be left.</summary>
+    /// <summary>Count: 42 products of three numbers, each of which may leave four parts.</summary>
     private const int MostParts = 192;
 
     private readonly ExactSum _sum = new(MostParts);
@@ -31,11 +31,11 @@ internal sealed class WindingNumber
     public int About(TriangleMesh mesh, in VectorDD point)
     {
         PartTree tree = mesh.Tree;
-        return Below(mesh, 0, ((Double3)point - tree.Origin) * (1 / tree.Unit), point);
+        return SumBelow(mesh, 0, ((Double3)point - tree.Origin) * (1 / tree.Unit), point);
     }
 
-    /// <summary>The turns of the triangles below a node.</summary>
-    private int Below(TriangleMesh mesh, int node, in Double3 inTree, in VectorDD point)
+    /// <summary>The sum of the crossings of the triangles below a node.</summary>
+    private int SumBelow(TriangleMesh mesh, int node, in Double3 inTree, in VectorDD point)
     {
         PartTree tree = mesh.Tree;
         int winding = 0;
@@ -43,7 +43,7 @@ internal sealed class WindingNumber
         {
             int child = tree.Children[node * PartTree.Lanes + lane];
             if (child == PartTree.Empty || !MayCross(tree.Boxes, node * PartTree.Stride + lane, inTree)) continue;
-            if (child >= 0) winding += Below(mesh, child, inTree, point);
+            if (child >= 0) winding += SumBelow(mesh, child, inTree, point);
             else
             {
                 int first = PartTree.FirstOf(child), end = first + PartTree.CountOf(child);
@@ -77,22 +77,22 @@ internal sealed class WindingNumber
         mesh.GetCorners(triangle, out Double3 a, out Double3 b, out Double3 c);
         bool isA = IsAbove(a.Z, p.Z), isB = IsAbove(b.Z, p.Z), isC = IsAbove(c.Z, p.Z);
         if (isA == isB && isB == isC) return 0;
-        int turns = Edge(a, isA, b, isB, p) + Edge(b, isB, c, isC, p) + Edge(c, isC, a, isA, p);
-        return turns != 0 && Side(a, b, c, p) * turns < 0 ? turns : 0;
+        int turns = EdgeCrossing(a, isA, b, isB, p) + EdgeCrossing(b, isB, c, isC, p) + EdgeCrossing(c, isC, a, isA, p);
+        return turns != 0 && PlaneSide(a, b, c, p) * turns < 0 ? turns : 0;
     }
 
     private static bool IsAbove(double z, in DoubleDouble p) => z > p.High || (z == p.High && p.Low < 0);
 
     /// <summary>Whether the edge crosses the half line from the point along y: 1 upward, -1 downward, 0 not.</summary>
-    private int Edge(in Double3 u, bool isU, in Double3 v, bool isV, in VectorDD p)
+    private int EdgeCrossing(in Double3 u, bool isU, in Double3 v, bool isV, in VectorDD p)
     {
         if (isU == isV) return 0;
-        int turn = Turn(u, v, p);
+        int turn = LineSide(u, v, p);
         return isV ? (turn > 0 ? 1 : 0) : turn < 0 ? -1 : 0;
     }
 
     /// <summary>On which side of the line from u to v the point lies, seen along x: 1 left, -1 right.</summary>
-    private int Turn(in Double3 u, in Double3 v, in VectorDD p)
+    private int LineSide(in Double3 u, in Double3 v, in VectorDD p)
     {
         double left = (v.Y - u.Y) * (p.Z.High - u.Z), right = (v.Z - u.Z) * (p.Y.High - u.Y), turn = left - right;
         double lengths = Math.Abs(v.Y - u.Y) * Math.Abs(p.Z.High) + Math.Abs(v.Z - u.Z) * Math.Abs(p.Y.High);
@@ -114,7 +114,7 @@ internal sealed class WindingNumber
     }
 
     /// <summary>On which side of the triangle's plane the point lies: 1 where the normal points.</summary>
-    private int Side(in Double3 a, in Double3 b, in Double3 c, in VectorDD p)
+    private int PlaneSide(in Double3 a, in Double3 b, in Double3 c, in VectorDD p)
     {
         Double3 u = b - a, v = c - a, to = (Double3)p - a;
         double yz = u.Y * v.Z, zy = u.Z * v.Y, zx = u.Z * v.X, xz = u.X * v.Z, xy = u.X * v.Y, yx = u.Y * v.X;

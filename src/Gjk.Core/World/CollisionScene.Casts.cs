@@ -25,18 +25,18 @@ public sealed partial class CollisionScene
         in QueryFilter filter = default, in CastOptions options = default)
     {
         CheckCast(shape, pose, translation, maxFraction);
-        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
-        hit = First(moving);
+        MovingShape moving = MakeMoving(shape, pose, translation, maxFraction, filter, options);
+        hit = FirstHit(moving);
         if (options.PassesShallow)
         {
             var union = new UnionCast(this, moving);
-            hit = UnionLift.OfUnion(ref union, options, moving.Lifted, 0, hit);
+            hit = UnionLift.FirstOfUnion(ref union, options, moving.Lifted, 0, hit);
         }
 
         return hit.Id >= 0;
     }
 
-    private CastHit First(in MovingShape moving)
+    private CastHit FirstHit(in MovingShape moving)
     {
         var first = new FirstCastHit(_objects, moving);
         _phase.Sweep(moving.Path(), ref first);
@@ -64,13 +64,13 @@ public sealed partial class CollisionScene
     {
         CheckCast(shape, pose, translation, maxFraction);
         Guard.NotNull(results, nameof(results)).Clear();
-        MovingShape moving = Moving(shape, pose, translation, maxFraction, filter, options);
+        MovingShape moving = MakeMoving(shape, pose, translation, maxFraction, filter, options);
         var all = new AllCastHits(_objects, moving, results, eachPart);
         _phase.Sweep(moving.Path(), ref all);
         InPlaceSort.Sort(results);
     }
 
-    private MovingShape Moving(
+    private MovingShape MakeMoving(
         in ConvexShape shape, in RigidPose pose, Vector3 translation, float maxFraction, in QueryFilter filter,
         in CastOptions options)
     {
@@ -82,7 +82,7 @@ public sealed partial class CollisionScene
             : moving;
     }
 
-    /// <summary>The objects as a union.</summary>
+    /// <summary>The objects as the union that a shape moves in.</summary>
     private struct UnionCast(CollisionScene scene, in MovingShape moving) : IUnionCast
     {
         private readonly MovingShape _moving = moving;
@@ -95,11 +95,11 @@ public sealed partial class CollisionScene
 
         public readonly Double3 WayAt(in Double3 point, float fraction) => _moving.Translation;
 
-        public readonly CastResult Along(in RigidPose pose, Vector3 way) =>
-            scene.First(_moving.From(pose, way, way == Vector3.Zero ? 0 : 1, default)).Result;
+        public readonly CastResult CastAlong(in RigidPose pose, Vector3 way) =>
+            scene.FirstHit(_moving.StartingAt(pose, way, way == Vector3.Zero ? 0 : 1, default)).Result;
 
-        public readonly CastHit After(float fraction, in RigidPose pose, in CastOptions options) =>
-            scene.First(_moving.From(pose, _moving.Translation, _moving.MaxFraction - fraction, options));
+        public readonly CastHit CastFrom(float fraction, in RigidPose pose, in CastOptions options) =>
+            scene.FirstHit(_moving.StartingAt(pose, _moving.Translation, _moving.MaxFraction - fraction, options));
 
         public readonly bool ShowsFace(in CastHit hit) => _moving.ShowsFace(scene._objects, hit);
     }

@@ -2,7 +2,7 @@ namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>The pairs that are worth a search for depth or contacts.</summary>
+    /// <summary>The pairs whose depth or contacts are computed.</summary>
     private readonly List<ObjectPair> _touching = [];
 
     private readonly PairAnswers<PairDistance> _depths = new();
@@ -14,7 +14,7 @@ public sealed partial class CollisionScene
     /// another one covers. Half-spaces are not joined. True unless it is set.</summary>
     public bool JoinsStatic { get; set; } = true;
 
-    /// <summary>Which pairs are within the gap that the contacts are for.</summary>
+    /// <summary>Which pairs are within the gap of the contacts.</summary>
     private readonly PairAnswers<GjkStatus> _within = new();
 
     private float _contactGap;
@@ -31,12 +31,12 @@ public sealed partial class CollisionScene
     {
         Guard.NotNull(results, nameof(results));
         CollectTouching(0, workers);
-        _depths.HasParts = _objects.Parts.Any;
+        _depths.HasLists = _objects.Concave.Any;
         AnswerPairs(_depths, _touching, new SceneDepthJob(_objects, _touching, _depths), workers);
         results.Clear();
         for (int i = 0; i < _depths.Count; i++)
         {
-            if (_objects.Parts.Has(_touching[i])) results.AddRange(_depths.Parts(i));
+            if (_objects.Concave.Contains(_touching[i])) results.AddRange(_depths.AllFor(i));
             else results.Add(_depths[i]);
         }
     }
@@ -72,32 +72,33 @@ public sealed partial class CollisionScene
         List<PairContacts> results, Workers? workers, bool isKept)
     {
         unions.Collect(pairs, JoinsStatic);
-        answers.HasParts |= _objects.Parts.Any || unions.Count > 0;
+        answers.HasLists |= _objects.Concave.Any || unions.Count > 0;
         var job = new SceneContactJob(_objects, pairs, answers, unions, maxGap);
         var joined = new SceneUnionJob(_objects, pairs, answers, unions, maxGap);
-        answers.Begin(pairs, _objects.Ids, ref _calls, isKept);
-        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength);
+        answers.BeginFrame(pairs, _objects.Ids, ref _calls, isKept);
+        Workers.Run(workers, job, pairs.Count, _objects.Concave.ShareLength);
         Workers.Run(workers, joined, unions.Count, PairBatch.ConcaveShareLength);
-        answers.Complete();
+        answers.CompleteFrame();
         results.Clear();
         for (int i = 0; i < answers.Count; i++)
         {
-            if (unions.Has(i) || _objects.Parts.Has(pairs[i])) results.AddRange(answers.Parts(i));
+            if (unions.IsJoined(i) || _objects.Concave.Contains(pairs[i])) results.AddRange(answers.AllFor(i));
             else if (answers[i].Manifold.Count > 0) results.Add(answers[i]);
         }
     }
 
-    /// <summary>The fast queries leave only the convex pairs that are close enough.</summary>
+    /// <summary>Collects the pairs that may touch: the convex ones that a distance query finds near enough, and all
+    /// others.</summary>
     private void CollectTouching(float maxGap, Workers? workers)
     {
         CollectSlots(maxGap, _candidates, workers);
         PairAnswers<GjkStatus> near = maxGap > 0 ? _within : _overlaps;
-        DecideNear(near, maxGap, workers, asksParts: false);
+        DecideNear(near, maxGap, workers, includesConcave: false);
         _touching.Clear();
         for (int i = 0; i < _candidates.Count; i++)
         {
             bool isNear = maxGap > 0 ? near[i] != GjkStatus.BeyondMaxDistance : near[i] == GjkStatus.Overlapping;
-            if (isNear || _objects.Parts.Has(_candidates[i])) _touching.Add(_candidates[i]);
+            if (isNear || _objects.Concave.Contains(_candidates[i])) _touching.Add(_candidates[i]);
         }
     }
 }

@@ -7,6 +7,32 @@ public sealed partial class CollisionScene
     private readonly PairAnswers<PairContacts> _guestContacts = new();
     private readonly SceneUnions _guestUnions;
 
+    /// <summary>The objects that overlap a shape that is none of the scene's, touching included.</summary>
+    /// <param name="shape">Any shape but a <c>default</c> struct.</param>
+    /// <param name="pose">Its pose in the world.</param>
+    /// <param name="ids">Emptied first; then the objects, sorted: those of which <c>ConvexQuery.Overlaps</c> says so,
+    /// the shape first.</param>
+    /// <param name="filter">Which objects are seen; by default all.</param>
+    /// <exception cref="ArgumentException">The shape or the pose is a <c>default</c> struct.</exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    public void FindObjectsOverlapping(
+        in ConvexShape shape, in RigidPose pose, List<int> ids, in QueryFilter filter = default)
+    {
+        Guard.NotNull(ids, nameof(ids));
+        ShapeBounds bounds = CollectNear(shape, pose, 0, filter);
+        int guest = _objects.Concave.Any ? _objects.AddGuest(shape, pose, bounds) : SceneObjects.GuestId;
+        ids.Clear();
+        foreach (int slot in _near)
+        {
+            bool overlaps = _objects.Concave.Contains(slot)
+                ? _objects.Concave.Distance(guest, slot, 0).IsOverlapping
+                : ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]);
+            if (overlaps) ids.Add(_objects.Ids[slot]);
+        }
+
+        if (guest >= 0) _objects.RemoveGuest();
+    }
+
     /// <summary>How far a shape that is none of the scene's is from the objects near it. Of an object that is not
     /// convex each part that is near has a distance of its own, as <c>ConcaveQuery.FindPairsWithin</c> gives
     /// it.</summary>
@@ -25,14 +51,14 @@ public sealed partial class CollisionScene
     {
         Guard.NonNegativeOrInfinite(distance, nameof(distance));
         Guard.NotNull(results, nameof(results));
-        int guest = Invite(shape, pose, distance, filter);
-        ConcaveScratch? scratch = _objects.Parts.RentIfAny();
+        int guest = AddGuest(shape, pose, distance, filter);
+        ConcaveScratch? scratch = _objects.Concave.RentIfAny();
         results.Clear();
         foreach (int slot in _near)
         {
-            if (_objects.Parts.Has(slot))
+            if (_objects.Concave.Contains(slot))
             {
-                _objects.Parts.FindDistances(new ObjectPair(guest, slot), distance, scratch!, _guestDistances);
+                _objects.Concave.FindDistances(new ObjectPair(guest, slot), distance, scratch!, _guestDistances);
                 results.AddRange(_guestDistances);
                 continue;
             }
@@ -43,7 +69,7 @@ public sealed partial class CollisionScene
                 results.Add(new PairDistance(found, pair: _objects.IdsOf(new ObjectPair(guest, slot))));
         }
 
-        Dismiss(scratch);
+        EndGuestQuery(scratch);
     }
 
     /// <summary>How deep a shape that is none of the scene's is in the objects that it overlaps, touching included. Of
@@ -60,15 +86,15 @@ public sealed partial class CollisionScene
         in ConvexShape shape, in RigidPose pose, List<PairDistance> results, in QueryFilter filter = default)
     {
         Guard.NotNull(results, nameof(results));
-        int guest = Invite(shape, pose, 0, filter);
-        ConcaveScratch? scratch = _objects.Parts.RentIfAny();
+        int guest = AddGuest(shape, pose, 0, filter);
+        ConcaveScratch? scratch = _objects.Concave.RentIfAny();
         results.Clear();
         foreach (int slot in _near)
         {
             var pair = new ObjectPair(guest, slot);
-            if (_objects.Parts.Has(slot))
+            if (_objects.Concave.Contains(slot))
             {
-                _objects.Parts.FindDepths(pair, scratch!, _guestDistances);
+                _objects.Concave.FindDepths(pair, scratch!, _guestDistances);
                 results.AddRange(_guestDistances);
             }
             else if (ConvexQuery.Overlaps(shape, pose, _objects.Shapes[slot], _objects.Poses[slot]))
@@ -77,7 +103,7 @@ public sealed partial class CollisionScene
             }
         }
 
-        Dismiss(scratch);
+        EndGuestQuery(scratch);
     }
 
     /// <summary>The contact points of a shape that is none of the scene's with the objects that it overlaps, or is no
@@ -100,20 +126,20 @@ public sealed partial class CollisionScene
     {
         Guard.NonNegativeOrInfinite(maxGap, nameof(maxGap));
         Guard.NotNull(results, nameof(results));
-        int guest = Invite(shape, pose, maxGap, filter);
+        int guest = AddGuest(shape, pose, maxGap, filter);
         _guestPairs.Clear();
         foreach (int slot in _near) _guestPairs.Add(new ObjectPair(guest, slot));
         MakeContacts(_guestPairs, _guestContacts, _guestUnions, maxGap, results, null, isKept: false);
-        _objects.Dismiss();
+        _objects.RemoveGuest();
     }
 
-    /// <summary>Collects the objects that are seen and whose bounds are within a distance of a shape, sorted, and then
-    /// puts it beside them.</summary>
-    /// <returns>The shape's slot, for the questions about it, until it is dismissed.</returns>
-    private int Invite(in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter) =>
-        _objects.Invite(shape, pose, CollectNear(shape, pose, distance, filter));
+    /// <summary>Collects the visible objects whose bounds are within a distance of a shape, sorted, and adds the shape
+    /// as a guest.</summary>
+    /// <returns>The guest's slot, until the guest is removed.</returns>
+    private int AddGuest(in ConvexShape shape, in RigidPose pose, float distance, in QueryFilter filter) =>
+        _objects.AddGuest(shape, pose, CollectNear(shape, pose, distance, filter));
 
-    /// <summary>Collects the objects that are seen and whose bounds are within a distance of a shape, sorted.</summary>
+    /// <summary>Collects the visible objects whose bounds are within a distance of a shape, sorted.</summary>
     /// <param name="shape">The shape.</param>
     /// <param name="pose">Its pose.</param>
     /// <param name="distance">World units.</param>
@@ -132,10 +158,10 @@ public sealed partial class CollisionScene
         return bounds;
     }
 
-    /// <summary>Lets go of the shape, and of what the questions about it used.</summary>
-    private void Dismiss(ConcaveScratch? scratch)
+    /// <summary>Removes the guest, and returns the scratch.</summary>
+    private void EndGuestQuery(ConcaveScratch? scratch)
     {
-        _objects.Parts.Return(scratch);
-        _objects.Dismiss();
+        _objects.Concave.Return(scratch);
+        _objects.RemoveGuest();
     }
 }

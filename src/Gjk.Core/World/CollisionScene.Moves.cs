@@ -11,11 +11,11 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The pose is a <c>default</c> struct.</exception>
     public void Move(int id, in RigidPose pose)
     {
-        int slot = _objects.Checked(id, nameof(id));
+        int slot = _objects.RequireSlot(id, nameof(id));
         CheckPose(pose);
         if (_objects.Poses[slot] == pose) return;
         _objects.Poses[slot] = pose;
-        Change(slot);
+        UpdateBounds(slot);
     }
 
     /// <summary>Tells the scene that the heights of an object's mesh have changed; see
@@ -24,9 +24,9 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public void Refresh(int id)
     {
-        int slot = _objects.Checked(id, nameof(id));
+        int slot = _objects.RequireSlot(id, nameof(id));
         if (GetAnyShape(id).Mesh is { } mesh) _objects.Bounds[slot] = new ShapeBounds(mesh.Tree);
-        Change(slot);
+        UpdateBounds(slot);
     }
 
     /// <summary>Gives an object another shape in place: it keeps its id, pose and settings, and its pairs begin anew,
@@ -45,13 +45,13 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The shape is a <c>default</c> struct.</exception>
     public void SetShape(int id, in AnyShape shape)
     {
-        int slot = _objects.Checked(id, nameof(id));
+        int slot = _objects.RequireSlot(id, nameof(id));
         var bounds = new ShapeBounds(shape);
         _objects.SetShape(slot, shape, bounds, _calls);
-        _phase.Exchange(slot, bounds.BoxAt(_objects.Poses[slot]));
+        _phase.ReplaceBounds(slot, bounds.BoxAt(_objects.Poses[slot]));
     }
 
-    private void Change(int slot)
+    private void UpdateBounds(int slot)
     {
         _objects.MovedAfter[slot] = _calls;
         _phase.Move(slot, _objects.Bounds[slot].BoxAt(_objects.Poses[slot]));
@@ -75,7 +75,7 @@ public sealed partial class CollisionScene
         int refused = _moves.Prepare(ids, poses, workers);
         if (refused >= 0)
         {
-            _objects.Checked(ids[refused], FormattableString.Invariant($"{nameof(ids)}[{refused}]"));
+            _objects.RequireSlot(ids[refused], FormattableString.Invariant($"{nameof(ids)}[{refused}]"));
             CheckPose(poses[refused], FormattableString.Invariant($"{nameof(poses)}[{refused}]"));
         }
 

@@ -17,7 +17,7 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public bool TryFindNearest(int id, out PairDistance nearest)
     {
-        int slot = _objects.Checked(id, nameof(id));
+        int slot = _objects.RequireSlot(id, nameof(id));
         var search = new NearestSearch(_objects, slot, float.PositiveInfinity, default);
         return TryFindNearest(ref search, out nearest);
     }
@@ -40,43 +40,43 @@ public sealed partial class CollisionScene
         CheckShape(shape);
         CheckPose(pose);
         Guard.NonNegativeOrInfinite(maxDistance, nameof(maxDistance));
-        int guest = _objects.Invite(shape, pose, new ShapeBounds(shape));
+        int guest = _objects.AddGuest(shape, pose, new ShapeBounds(shape));
         var search = new NearestSearch(_objects, guest, maxDistance, filter);
         bool isFound = TryFindNearest(ref search, out nearest);
-        _objects.Dismiss();
+        _objects.RemoveGuest();
         return isFound;
     }
 
-    /// <summary>Looks in boxes that grow until an object is found.</summary>
+    /// <summary>Searches boxes that grow until an object is found.</summary>
     private bool TryFindNearest(ref NearestSearch search, out PairDistance nearest)
     {
         ref readonly ShapeBounds bounds = ref _objects.Bounds[search.Self];
         Aabb box = bounds.BoxAt(_objects.Poses[search.Self]);
         float reach = (float)Math.Min(Math.Max(bounds.Radius, float.Epsilon), float.MaxValue);
         reach = Math.Min(reach, search.MaxDistance);
-        LookWithin(ref search, box, reach);
+        SearchWithin(ref search, box, reach);
         while (search.Best < 0 && reach < search.MaxDistance && _near.Count < _objects.Count)
         {
             reach = Math.Min(reach * SearchGrowth, search.MaxDistance);
-            LookWithin(ref search, box, reach);
+            SearchWithin(ref search, box, reach);
         }
 
-        // What lies nearer than the one found may be outside the box in which it was found.
-        if (search.Best >= 0 && search.Nearest.Distance > reach) LookWithin(ref search, box, search.Nearest.Distance);
+        // An object nearer than the one found may lie outside the box that was searched.
+        if (search.Best >= 0 && search.Nearest.Distance > reach) SearchWithin(ref search, box, search.Nearest.Distance);
         int best = search.Best < 0 ? -1 : _objects.Ids[search.Best];
-        nearest = search.Nearest.Of(new ObjectPair(_objects.Ids[search.Self], best));
+        nearest = search.Nearest.WithPair(new ObjectPair(_objects.Ids[search.Self], best));
         return search.Best >= 0;
     }
 
-    /// <summary>Improves the nearest object found so far by those whose bounds are within reach.</summary>
-    private void LookWithin(ref NearestSearch search, in Aabb box, float reach)
+    /// <summary>Compares the objects whose bounds are within reach with the nearest one so far.</summary>
+    private void SearchWithin(ref NearestSearch search, in Aabb box, float reach)
     {
         _phase.CollectInBox(Widened(box, reach), _near);
-        for (int i = 0; i < _near.Count; i++) search.Look(_near[i]);
+        for (int i = 0; i < _near.Count; i++) search.KeepIfNearer(_near[i]);
     }
 
-    /// <summary>A little more than a distance, so that equals are found and the one of several does not depend on the
-    /// order of the search.</summary>
+    /// <summary>A little more than a distance, so that all equally near objects are found: the named one does not
+    /// depend on the order of the search.</summary>
     internal static float JustBeyond(float distance) => distance * MarginSlack + float.Epsilon;
 
     private static Aabb Widened(in Aabb box, float reach)
@@ -87,10 +87,10 @@ public sealed partial class CollisionScene
     }
 }
 
-/// <summary>The search for what is nearest to an object of a scene, of those that it is tested against, or to a
+/// <summary>The search for the object nearest to another one, of those that it is tested against, or to a
 /// guest.</summary>
 /// <param name="objects">All of them.</param>
-/// <param name="self">The slot of the one that is asked about.</param>
+/// <param name="self">The slot of the object or guest.</param>
 /// <param name="maxDistance">Objects further away are not found.</param>
 /// <param name="filter">Which objects a guest sees.</param>
 internal struct NearestSearch(SceneObjects objects, int self, float maxDistance, in QueryFilter filter)
@@ -107,18 +107,18 @@ internal struct NearestSearch(SceneObjects objects, int self, float maxDistance,
     private readonly QueryFilter _filter = filter;
 
     /// <summary>Takes an object if it is nearer than the best, or as near with a lesser id.</summary>
-    public void Look(int slot)
+    public void KeepIfNearer(int slot)
     {
-        if (!IsAsked(slot)) return;
+        if (!IsCandidate(slot)) return;
         float limit = Best < 0 ? MaxDistance : Math.Min(MaxDistance, CollisionScene.JustBeyond(Nearest.Distance));
-        PairDistance found = objects.Parts.Distance(Self, slot, limit);
+        PairDistance found = objects.Concave.Distance(Self, slot, limit);
         if (found.Status == GjkStatus.BeyondMaxDistance) return;
         bool isBetter = Best < 0 || found.Distance < Nearest.Distance
             || (found.Distance == Nearest.Distance && slot < Best);
         if (isBetter) (Best, Nearest) = (slot, found);
     }
 
-    private readonly bool IsAsked(int slot) => !objects.AreEndless(objects.Shapes[Self], slot)
+    private readonly bool IsCandidate(int slot) => !objects.AreEndless(objects.Shapes[Self], slot)
         && (objects.Ids[Self] == SceneObjects.GuestId
             ? objects.IsSeen(slot, _filter)
             : slot != Self && objects.AreTested(Self, slot));

@@ -2,8 +2,8 @@ namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>Ratio: four times float's rounding, which a margin meets twice, when it is widened by this and when it
-    /// is added to a bound.</summary>
+    /// <summary>Ratio: four float roundings. A margin is rounded twice: when it is multiplied by this, and when it is
+    /// added to a bound.</summary>
     private const float MarginSlack = 1 + 4f / (1 << 24);
 
     private readonly List<ObjectPair> _candidates = [];
@@ -57,7 +57,7 @@ public sealed partial class CollisionScene
             _candidates.Add(new ObjectPair(a, b));
         }
 
-        // The candidates may come in any order, so none is looked up, and none is found again.
+        // The candidates may come in any order, so no answer is kept from the last frame or for the next one.
         DecideNear(_overlaps, 0, workers, isKept: false);
         CopyOverlaps(results, workers);
     }
@@ -108,37 +108,38 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentException">The two are the same.</exception>
     public DistanceResult Distance(int idA, int idB)
     {
-        int a = _objects.Checked(idA, nameof(idA)), b = _objects.Checked(idB, nameof(idB));
+        int a = _objects.RequireSlot(idA, nameof(idA)), b = _objects.RequireSlot(idB, nameof(idB));
         if (a == b) throw new ArgumentException("An object has no distance to itself.", nameof(idB));
-        return _objects.Parts.Distance(a, b, float.PositiveInfinity).Result;
+        return _objects.Concave.Distance(a, b, float.PositiveInfinity).Result;
     }
 
-    /// <summary>What was found of the i-th pair.</summary>
+    /// <summary>The distance that was found for the i-th pair.</summary>
     private PairDistance DistanceOf(int i)
     {
         ObjectPair ids = _objects.IdsOf(_candidates[i]);
-        if (!_objects.Parts.Has(_candidates[i])) return new PairDistance(_pairWarmStarts.Now.Results[i], pair: ids);
+        ref readonly DistanceResult found = ref _pairWarmStarts.Now.Results[i];
+        if (!_objects.Concave.Contains(_candidates[i])) return new PairDistance(found, pair: ids);
         ObjectPair parts = _pairWarmStarts.Now.Parts[i];
-        return new PairDistance(_pairWarmStarts.Now.Results[i], parts.A, parts.B, ids);
+        return new PairDistance(found, parts.A, parts.B, ids);
     }
 
     /// <summary>Decides which of the candidates overlap, or are no further apart than a gap.</summary>
     private void DecideNear(
-        PairAnswers<GjkStatus> answers, float maxGap, Workers? workers, bool asksParts = true, bool isKept = true)
+        PairAnswers<GjkStatus> answers, float maxGap, Workers? workers, bool includesConcave = true, bool isKept = true)
     {
         AnswerPairs(
-            answers, _candidates, new SceneNearJob(_objects, _candidates, answers, maxGap, asksParts), workers,
-            isKept && _objects.MostRest(answers.Call));
+            answers, _candidates, new SceneNearJob(_objects, _candidates, answers, maxGap, includesConcave), workers,
+            isKept && _objects.AreMostAtRest(answers.Call));
     }
 
-    /// <summary>Runs a job that answers the pairs of a frame.</summary>
+    /// <summary>Runs a job that finds the answers of a frame's pairs.</summary>
     private void AnswerPairs<TJob>(
         PairHistory frame, List<ObjectPair> pairs, in TJob job, Workers? workers, bool isKept = true)
         where TJob : struct, IShareJob
     {
-        frame.Begin(pairs, _objects.Ids, ref _calls, isKept);
-        Workers.Run(workers, job, pairs.Count, _objects.Parts.ShareLength);
-        frame.Complete();
+        frame.BeginFrame(pairs, _objects.Ids, ref _calls, isKept);
+        Workers.Run(workers, job, pairs.Count, _objects.Concave.ShareLength);
+        frame.CompleteFrame();
     }
 
     private void CopyOverlaps(List<ObjectPair> results, Workers? workers)
@@ -148,7 +149,7 @@ public sealed partial class CollisionScene
             new OverlappingPairs(_objects, _candidates, _overlaps), _candidates.Count, results, workers);
     }
 
-    /// <summary>Selects the pairs that overlap.</summary>
+    /// <summary>Selects the pairs that overlap, with their ids.</summary>
     private readonly struct OverlappingPairs(
         SceneObjects objects, List<ObjectPair> candidates, PairAnswers<GjkStatus> answers) : ISelector<ObjectPair>
     {

@@ -64,7 +64,7 @@ public sealed partial class CollisionScene
         if (_phase.Bounded is DynamicAabbTree tree) tree.UpdateLeaves();
         Workers.Run(
             workers, new SceneRayJob(_phase, _objects, rays, results, filter, options, sides), rays.Length,
-            _objects.Parts.ShareLength);
+            _objects.Concave.ShareLength);
     }
 
     private static void CheckRay(in RayQuery ray)

@@ -11,7 +11,7 @@ public sealed partial class CollisionScene
     private readonly SceneObjects _objects = new();
     private readonly EndlessPhase _phase;
 
-    /// <summary>Counts the calls of the finders whose answers pairs at rest keep.</summary>
+    /// <summary>Counts the calls of queries whose answers pairs at rest keep.</summary>
     private long _calls;
 
     /// <summary>Makes an empty scene with a dynamic tree.</summary>
@@ -24,7 +24,7 @@ public sealed partial class CollisionScene
     /// <param name="broadPhase">How pairs are found; changes the speed only.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such kind.</exception>
     public CollisionScene(BroadPhaseKind broadPhase)
-        : this(Make(broadPhase))
+        : this(MakeBroadPhase(broadPhase))
     {
     }
 
@@ -61,20 +61,20 @@ public sealed partial class CollisionScene
 
     /// <summary>Where an object is.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public RigidPose GetPose(int id) => _objects.Poses[_objects.Checked(id, nameof(id))];
+    public RigidPose GetPose(int id) => _objects.Poses[_objects.RequireSlot(id, nameof(id))];
 
     /// <summary>An object's shape.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     /// <returns>A <c>default</c> struct where it is not convex.</returns>
-    public ConvexShape GetShape(int id) => _objects.Shapes[_objects.Checked(id, nameof(id))];
+    public ConvexShape GetShape(int id) => _objects.Shapes[_objects.RequireSlot(id, nameof(id))];
 
     /// <summary>An object's shape, convex or not.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public AnyShape GetAnyShape(int id) => _objects.Parts[_objects.Checked(id, nameof(id))];
+    public AnyShape GetAnyShape(int id) => _objects.Concave[_objects.RequireSlot(id, nameof(id))];
 
     /// <summary>How an object is treated.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
-    public ObjectSettings GetSettings(int id) => _objects.Settings[_objects.Checked(id, nameof(id))];
+    public ObjectSettings GetSettings(int id) => _objects.Settings[_objects.RequireSlot(id, nameof(id))];
 
     /// <summary>Treats an object in another way from now on.</summary>
     /// <param name="id">The object.</param>
@@ -82,7 +82,7 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public void SetSettings(int id, in ObjectSettings settings)
     {
-        _objects.SetSettings(_objects.Checked(id, nameof(id)), settings);
+        _objects.SetSettings(_objects.RequireSlot(id, nameof(id)), settings);
     }
 
     /// <summary>Adds an object.</summary>
@@ -124,12 +124,12 @@ public sealed partial class CollisionScene
     /// <exception cref="ArgumentOutOfRangeException">There is no object with this id, or no longer.</exception>
     public void Remove(int id)
     {
-        int slot = _objects.Checked(id, nameof(id));
+        int slot = _objects.RequireSlot(id, nameof(id));
         _phase.Remove(slot);
         _objects.Remove(slot);
     }
 
-    private static IBroadPhase Make(BroadPhaseKind kind) => kind switch
+    private static IBroadPhase MakeBroadPhase(BroadPhaseKind kind) => kind switch
     {
         BroadPhaseKind.SortAndSweep => new SortAndSweep(),
         BroadPhaseKind.DynamicTree => new DynamicAabbTree(),
@@ -144,7 +144,7 @@ public sealed partial class CollisionScene
         throw new ArgumentException(message, name);
     }
 
-    /// <summary>Closes up the arrays; the broad phase knows slots, so it begins again.</summary>
+    /// <summary>Closes up the arrays. Slots change, so the broad phase is filled anew.</summary>
     private void CloseUp()
     {
         _objects.CloseUp();
@@ -153,7 +153,7 @@ public sealed partial class CollisionScene
             _phase.Add(slot, _objects.Bounds[slot].BoxAt(_objects.Poses[slot]));
     }
 
-    /// <summary>The pairs of slots that are tested, and whose bounds are within a distance.</summary>
+    /// <summary>Collects the pairs of slots that are tested and whose bounds are within a distance.</summary>
     private void CollectSlots(float distance, List<ObjectPair> pairs, Workers? workers)
     {
         Workers.Check(workers);

@@ -1,12 +1,12 @@
 namespace Gjk.Core;
 
-/// <summary>A scene's broad phase: what has no end, as a half-space, is in a list, and everything is near it; a broad
+/// <summary>A scene's broad phase. Half-spaces, which have no end, are in a list and near every object. Another broad
 /// phase holds the rest.</summary>
 internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects)
 {
     private readonly List<int> _endless = [];
 
-    /// <summary>What holds the objects that end.</summary>
+    /// <summary>The broad phase of the objects that end.</summary>
     public IBroadPhase Bounded => bounded;
 
     public int Count => bounded.Count + _endless.Count;
@@ -23,7 +23,7 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects)
     }
 
     /// <summary>Gives an object the box of another shape, which may have an end where the old one had none.</summary>
-    public void Exchange(int id, in Aabb bounds)
+    public void ReplaceBounds(int id, in Aabb bounds)
     {
         if (_endless.Contains(id) == ShapeBounds.IsEndless(bounds))
         {
@@ -35,8 +35,8 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects)
         Add(id, bounds);
     }
 
-    /// <summary>Moves what has a number; negative ones are left out, and none is there twice. What has no end stays
-    /// where it is, and loses its number.</summary>
+    /// <summary>Moves objects. Negative ids are skipped, and no id is there twice. Objects without an end keep their
+    /// place, and their ids are set to <see cref="SceneMoves.None"/>.</summary>
     public void MoveAll(int[] ids, Aabb[] bounds, int count, Workers? workers)
     {
         for (int i = 0; _endless.Count > 0 && i < count; i++)
@@ -62,7 +62,7 @@ internal sealed class EndlessPhase(IBroadPhase bounded, SceneObjects objects)
         bounded.Clear();
     }
 
-    /// <summary>Two half-spaces are no pair.</summary>
+    /// <summary>Collects the pairs within a margin. Two half-spaces are no pair.</summary>
     public void CollectPairs(float margin, List<ObjectPair> pairs, Workers? workers)
     {
         if (bounded is DynamicAabbTree tree) tree.CollectPairs(margin, pairs, workers);

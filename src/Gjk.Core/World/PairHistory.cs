@@ -1,8 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>The pairs that a frame asks about and those of the frame before, both sorted: a pair finds its place in the
-/// last frame by a walk along both lists at once, and pairs that are gone are left behind. What is known of a pair is
-/// in the tables of those that inherit this.</summary>
+/// <summary>The sorted pairs of this frame and of the last one. One walk along both lists finds each pair's place in
+/// the last frame. Derived classes hold what is known of each pair.</summary>
 internal abstract class PairHistory
 {
     private ulong[] _now = [], _last = [];
@@ -18,18 +17,19 @@ internal abstract class PairHistory
     /// <summary>How many pairs the frame has.</summary>
     public int Count { get; private set; }
 
-    /// <summary>The scene's count of calls at the last frame: objects that moved since have it or more.</summary>
+    /// <summary>The scene's count of calls at the last frame. An object that has moved since has this count or
+    /// more.</summary>
     public long LastCall { get; private set; }
 
-    /// <summary>Begins a frame with these pairs of slots; nothing changes if there is no memory for it.</summary>
+    /// <summary>Begins a frame with these pairs of slots. Changes nothing if there is no memory for it.</summary>
     /// <param name="pairs">Sorted; their ids ascend as they do.</param>
-    /// <param name="ids">Of the slots.</param>
-    /// <param name="calls">The scene's count of calls, which this is one of.</param>
-    /// <param name="isKept">Whether pairs are found in the last frame, and in this one by the next.</param>
-    public void Begin(List<ObjectPair> pairs, int[] ids, ref long calls, bool isKept = true)
+    /// <param name="ids">The id of each slot.</param>
+    /// <param name="calls">The scene's count of calls; this call is counted.</param>
+    /// <param name="isKept">Whether the pairs are looked up in the last frame, and by the next one in this.</param>
+    public void BeginFrame(List<ObjectPair> pairs, int[] ids, ref long calls, bool isKept = true)
     {
         if (_last.Length < pairs.Count) _last = new ulong[BoundsTable.Grown(_last.Length, pairs.Count)];
-        Turn(pairs.Count);
+        SwapFrames(pairs.Count);
         (_now, _last) = (_last, _now);
 
         // Discard the mixed data of an interrupted call.
@@ -43,13 +43,13 @@ internal abstract class PairHistory
         for (int i = 0; i < Count; i++) _now[i] = PairKeys.Key(ids[pairs[i].A], ids[pairs[i].B]);
     }
 
-    /// <summary>All pairs of the frame have their answers.</summary>
-    public void Complete() => _isComplete = _isKept;
+    /// <summary>Says that all pairs of the frame have their answers, which the next frame may keep.</summary>
+    public void CompleteFrame() => _isComplete = _isKept;
 
-    /// <summary>The next frame shall not find this one's pairs.</summary>
+    /// <summary>Keeps the next frame from using the answers of this one.</summary>
     public void Forget() => _isComplete = false;
 
-    /// <summary>Where among the last frame's pairs to look for the i-th and those after it.</summary>
+    /// <summary>The place among the last frame's pairs at which to look for the i-th pair and those after it.</summary>
     public int Seek(int i)
     {
         int found = Array.BinarySearch(_last, 0, _lastCount, _now[i]);
@@ -58,7 +58,8 @@ internal abstract class PairHistory
 
     /// <summary>Whether the last frame had the i-th pair.</summary>
     /// <param name="i">The pair.</param>
-    /// <param name="last">From <see cref="Seek"/>, or as the call for a pair before left it; the pair's place.</param>
+    /// <param name="last">From <see cref="Seek"/>, or as the call for an earlier pair left it. Becomes the pair's
+    /// place.</param>
     protected bool IsKnown(int i, ref int last)
     {
         ulong key = _now[i];
@@ -66,6 +67,7 @@ internal abstract class PairHistory
         return last < _lastCount && _last[last] == key;
     }
 
-    /// <summary>The frame's tables become the last ones, and those before the frame's, with that much room.</summary>
-    protected abstract void Turn(int count);
+    /// <summary>Makes this frame's tables the last frame's, and takes the older ones for this frame, with room for so
+    /// many pairs.</summary>
+    protected abstract void SwapFrames(int count);
 }

@@ -1,9 +1,9 @@
 namespace Gjk.Core;
 
-/// <summary>What a frame leaves to the next one about each of its pairs: the warm start, and whether the pair was
+/// <summary>What a frame hands to the next one for each pair: the warm start, and whether the pair was
 /// reported.</summary>
-/// <remarks>Which pairs a frame looks at depends on their bounds, which pairs it reports does not. So only the warm
-/// start of a pair that was reported may be seen in a result; see <see cref="SceneDistanceJob"/>.</remarks>
+/// <remarks>A frame queries more pairs than it reports; which ones depends on the bounds. So a result may only depend
+/// on the warm start of a pair that was reported; see <see cref="SceneDistanceJob"/>.</remarks>
 internal sealed class PairWarmStarts : PairHistory
 {
     /// <summary>The frame's answers.</summary>
@@ -14,30 +14,30 @@ internal sealed class PairWarmStarts : PairHistory
 
     /// <summary>Gives the i-th pair the warm start and the state that the last frame left.</summary>
     /// <param name="i">The pair.</param>
-    /// <param name="keepsShapes">Whether both objects have the shapes that they had in the last frame; what is known of
-    /// others is forgotten.</param>
+    /// <param name="haveKeptShapes">Whether both objects have the same shapes as in the last frame. If not, the pair
+    /// starts cold.</param>
     /// <param name="last">From <see cref="PairHistory.Seek"/>, or as the call for the pair before left it.</param>
     /// <returns>The state.</returns>
-    public PairState Resume(int i, bool keepsShapes, ref int last)
+    public PairState Resume(int i, bool haveKeptShapes, ref int last)
     {
-        bool isKnown = IsKnown(i, ref last) && keepsShapes;
+        bool isKnown = IsKnown(i, ref last) && haveKeptShapes;
         Now.Starts[i] = isKnown ? Last.Starts[last] : default;
         return Now.States[i] = isKnown ? Last.States[last] : PairState.Unknown;
     }
 
     /// <inheritdoc/>
-    protected override void Turn(int count)
+    protected override void SwapFrames(int count)
     {
         Last.Reserve(count);
         (Now, Last) = (Last, Now);
     }
 
-    /// <summary>One of each for each pair.</summary>
+    /// <summary>Tables with one entry for each pair.</summary>
     internal sealed class Frame
     {
         public WarmStart[] Starts = [];
 
-        /// <summary>What is known of each pair: first from the last frame, in the end from this one.</summary>
+        /// <summary>The state of each pair: at first that of the last frame, in the end that of this one.</summary>
         public PairState[] States = [];
 
         /// <summary>Whether each pair keeps the answer that it had in the last frame.</summary>
@@ -48,7 +48,7 @@ internal sealed class PairWarmStarts : PairHistory
         /// <summary>The parts that the answers are of; valid for pairs that are not convex.</summary>
         public ObjectPair[] Parts = [];
 
-        /// <summary>Nothing changes if there is no memory for it.</summary>
+        /// <summary>Makes room for so many pairs. Changes nothing if there is no memory for it.</summary>
         public void Reserve(int count)
         {
             if (Starts.Length >= count) return;

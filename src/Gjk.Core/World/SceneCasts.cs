@@ -12,21 +12,21 @@ internal readonly struct MovingShape(
     private readonly RigidPose _pose = pose;
     private readonly CastOptions _options = options;
 
-    /// <summary>Where it is out of the union of the objects, if it begins deeper in that than is allowed; else where it
-    /// begins.</summary>
+    /// <summary>Its pose outside the union of the objects, if it begins deeper in that than is allowed; else its first
+    /// pose.</summary>
     public readonly RigidPose Lifted = lifted;
 
     private readonly Double3 _lift = lift;
 
-    /// <summary>The same shape from elsewhere, on another way.</summary>
-    public MovingShape From(in RigidPose at, Vector3 way, float most, in CastOptions passed) =>
+    /// <summary>The same shape with another first pose and translation.</summary>
+    public MovingShape StartingAt(in RigidPose at, Vector3 way, float most, in CastOptions passed) =>
         new(_shape, at, way, most, Filter, passed, at, default);
 
     /// <summary>Where it is after a fraction of the motion.</summary>
     public RigidPose PoseAt(float fraction) =>
         new(_pose.Rotation, (Vector3)((Double3)_pose.Position + (Double3)Translation * fraction));
 
-    /// <summary>The same motion, which passes what it does not get deeper into from another pose.</summary>
+    /// <summary>The same motion, which passes contacts that get no deeper from the lifted pose.</summary>
     public MovingShape LiftedTo(in RigidPose at, in Double3 lift) =>
         new(_shape, _pose, Translation, MaxFraction, Filter, _options, at, lift);
 
@@ -36,14 +36,16 @@ internal readonly struct MovingShape(
         CastHit found = Cast(objects, slot, _pose, _options);
         bool isLifted = Lifted != _pose && found.Result.MayHit
             && !UnionLift.IsOutOf(found.Result, Lifted, _lift, Translation, -1);
-        return isLifted && !Cast(objects, slot, Lifted, UnionLift.Within(UnionLift.RoundingOf(Lifted))).Result.MayHit
+        CastOptions passed = CastOptions.OnlyDeeper(UnionLift.RoundingOf(Lifted));
+        return isLifted && !Cast(objects, slot, Lifted, passed).Result.MayHit
             ? new CastHit(CastResult.Nothing(CastStatus.Miss, MaxFraction, 0))
             : found;
     }
 
     private CastHit Cast(SceneObjects objects, int slot, in RigidPose from, in CastOptions passed)
     {
-        if (objects.Parts.Has(slot)) return objects.Parts.Cast(_shape, from, Translation, slot, MaxFraction, passed);
+        if (objects.Concave.Contains(slot))
+            return objects.Concave.Cast(_shape, from, Translation, slot, MaxFraction, passed);
         ref readonly ConvexShape other = ref objects.Shapes[slot];
         ref readonly RigidPose at = ref objects.Poses[slot];
         CastResult found = ConvexQuery.Cast(_shape, from, Translation, other, at, Vector3.Zero, MaxFraction, passed);
@@ -58,19 +60,19 @@ internal readonly struct MovingShape(
     {
         int slot = objects.SlotOf(hit.Id);
         return slot >= 0 && MetFeatures.AnyIsFace(
-            _shape, _pose, objects.Parts[slot].PartAt(hit.PartB), objects.Poses[slot], hit.Result.Normal);
+            _shape, _pose, objects.Concave[slot].PartAt(hit.PartB), objects.Poses[slot], hit.Result.Normal);
     }
 
-    /// <summary>Adds every part of an object that it meets.</summary>
+    /// <summary>Adds a hit for every part of an object that it meets.</summary>
     public void CastAll(SceneObjects objects, int slot, List<CastHit> hits)
     {
-        ConcaveScratch scratch = objects.Parts.Rent();
+        ConcaveScratch scratch = objects.Concave.Rent();
         List<CastHit> parts = scratch.Casts;
         ConcaveQuery.CastAll(
-            AnyShape.Of(_shape), _pose, Translation, objects.Parts[slot], objects.Poses[slot], Vector3.Zero, scratch,
+            AnyShape.Of(_shape), _pose, Translation, objects.Concave[slot], objects.Poses[slot], Vector3.Zero, scratch,
             parts, MaxFraction, _options);
-        for (int i = 0; i < parts.Count; i++) hits.Add(parts[i].Of(objects.Ids[slot]));
-        objects.Parts.Return(scratch);
+        for (int i = 0; i < parts.Count; i++) hits.Add(parts[i].WithId(objects.Ids[slot]));
+        objects.Concave.Return(scratch);
     }
 
     /// <summary>Its path for a broad phase.</summary>
@@ -82,7 +84,7 @@ internal readonly struct MovingShape(
 }
 
 /// <summary>The first object that a moving shape meets, of those that the broad phase shows.</summary>
-/// <remarks>Each object is asked about the whole motion, as <see cref="FirstRayHit"/> does it.</remarks>
+/// <remarks>Each object is queried with the whole motion, as in <see cref="FirstRayHit"/>.</remarks>
 internal struct FirstCastHit(SceneObjects objects, in MovingShape shape) : ISweepVisitor
 {
     /// <summary>What was found; an id of -1 where nothing was.</summary>
@@ -94,15 +96,15 @@ internal struct FirstCastHit(SceneObjects objects, in MovingShape shape) : ISwee
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _shape.Filter)) return _limit;
-        Take(objects.Ids[slot], _shape.Cast(objects, slot));
+        KeepIfFirst(objects.Ids[slot], _shape.Cast(objects, slot));
         return _limit;
     }
 
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(int id, in CastHit found)
+    public void KeepIfFirst(int id, in CastHit found)
     {
         if (!found.Result.MayHit) return;
-        CastHit hit = found.Of(id);
+        CastHit hit = found.WithId(id);
         if (Hit.Id >= 0 && hit.CompareTo(Hit) > 0) return;
         Hit = hit;
         _limit = SweptBox.After(found.Fraction);
@@ -118,8 +120,8 @@ internal readonly struct AllCastHits(
         if (!objects.IsSeen(slot, shape.Filter)) return double.PositiveInfinity;
         CastHit found = shape.Cast(objects, slot);
         if (!found.Result.MayHit) return double.PositiveInfinity;
-        if (eachPart && objects.Parts.Has(slot)) shape.CastAll(objects, slot, hits);
-        else hits.Add(found.Of(objects.Ids[slot]));
+        if (eachPart && objects.Concave.Contains(slot)) shape.CastAll(objects, slot, hits);
+        else hits.Add(found.WithId(objects.Ids[slot]));
         return double.PositiveInfinity;
     }
 }

@@ -1,42 +1,42 @@
 namespace Gjk.Core;
 
-/// <summary>Which of a scene's pairs overlap, or are no further apart than a gap. Those that are not convex may be left
-/// out; they have no answer then. Pairs at rest keep their answers, which are what they would get.</summary>
+/// <summary>Decides which of a scene's pairs overlap, or are no further apart than a gap. Pairs that are not convex may
+/// be left out; they have no answer then. Pairs at rest keep their answers, which a new query would repeat.</summary>
 /// <param name="objects">The objects.</param>
 /// <param name="pairs">The pairs, sorted.</param>
-/// <param name="answers">Gets the answers. With a gap, all pairs are near of which it does not say
+/// <param name="answers">Gets the answers. With a gap, a pair is near unless its answer is
 /// <see cref="GjkStatus.BeyondMaxDistance"/>.</param>
-/// <param name="maxGap">World units; 0 asks which overlap.</param>
-/// <param name="asksParts">Whether pairs that are not convex are asked.</param>
+/// <param name="maxGap">World units; 0 decides which pairs overlap.</param>
+/// <param name="includesConcave">Whether pairs that are not convex are decided, too.</param>
 internal readonly struct SceneNearJob(
-    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap, bool asksParts)
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<GjkStatus> answers, float maxGap, bool includesConcave)
     : IShareJob
 {
     public unsafe void Run(int begin, int end)
     {
         bool* answered = stackalloc bool[end - begin];
         int last = answers.Seek(begin);
-        bool anyAsked = false;
+        bool isAnyLeft = false;
         for (int i = begin; i < end; i++)
         {
             bool isKept = objects.TryKeep(answers, pairs[i], i, ref last) && answers[i] != GjkStatus.None;
-            bool hasParts = objects.Parts.Has(pairs[i]);
-            anyAsked |= !isKept && (asksParts || !hasParts);
-            answered[i - begin] = isKept || hasParts;
+            bool isConcave = objects.Concave.Contains(pairs[i]);
+            isAnyLeft |= !isKept && (includesConcave || !isConcave);
+            answered[i - begin] = isKept || isConcave;
             if (!isKept) answers[i] = GjkStatus.None;
         }
 
-        if (!anyAsked) return;
-        Ask(begin, end, answered);
-        if (asksParts && objects.Parts.Any) AskParts(begin, end);
+        if (!isAnyLeft) return;
+        SolveConvex(begin, end, answered);
+        if (includesConcave && objects.Concave.Any) SolveConcave(begin, end);
     }
 
-    private unsafe void Ask(int begin, int end, bool* answered)
+    private unsafe void SolveConvex(int begin, int end, bool* answered)
     {
 #if NET
         if (WideBatch.IsSupported)
         {
-            AskWide(begin, end, answered);
+            SolveWide(begin, end, answered);
             return;
         }
 #endif
@@ -58,7 +58,7 @@ internal readonly struct SceneNearJob(
     }
 
 #if NET
-    private unsafe void AskWide(int begin, int end, bool* answered)
+    private unsafe void SolveWide(int begin, int end, bool* answered)
     {
         var batch = new WideBatch(
             objects.Shapes, objects.Poses, ref CollectionsMarshal.AsSpan(pairs)[begin], ref *answered);
@@ -77,32 +77,32 @@ internal readonly struct SceneNearJob(
     }
 
 #endif
-    private void AskParts(int begin, int end)
+    private void SolveConcave(int begin, int end)
     {
-        ConcaveScratch scratch = objects.Parts.Rent();
+        ConcaveScratch scratch = objects.Concave.Rent();
         for (int i = begin; i < end; i++)
         {
-            if (answers[i] == GjkStatus.None && objects.Parts.Has(pairs[i]))
-                answers[i] = objects.Parts.Distance(pairs[i], maxGap, scratch).Result.Status;
+            if (answers[i] == GjkStatus.None && objects.Concave.Contains(pairs[i]))
+                answers[i] = objects.Concave.Distance(pairs[i], maxGap, scratch).Result.Status;
         }
 
-        objects.Parts.Return(scratch);
+        objects.Concave.Return(scratch);
     }
 }
 
-/// <summary>How far apart a scene's pairs are, from where each was in the frame before.</summary>
-/// <remarks>The bits of an answer depend on the answers that were reported for the pair, and on nothing else. A pair
-/// that was reported in the frame before begins where it ended. A pair that was not may have been looked at or not,
-/// which depends on the bounds; what it remembers is used only to see quickly that it still is too far apart, and else
-/// it begins cold, as each pair does that is not convex. A pair that was reported and whose objects have not moved
-/// since keeps its answer.</remarks>
+/// <summary>Measures how far apart a scene's pairs are, each from its warm start.</summary>
+/// <remarks>The bits of an answer depend on the earlier reported answers of the pair alone. A pair that was reported in
+/// the last frame begins where that query ended. Whether a pair that was not reported was queried depends on the
+/// bounds. So its warm start is only used to see quickly that the pair is still too far apart; otherwise the query
+/// begins cold. Pairs that are not convex always begin cold. A reported pair whose objects have not moved since keeps
+/// its answer.</remarks>
 internal readonly struct SceneDistanceJob(
     SceneObjects objects, List<ObjectPair> pairs, PairWarmStarts warmStarts, float maxDistance)
     : IShareJob
 {
-    /// <summary>Ratio to the distance asked for and both radii: a lower bound that exceeds the distance by this much
-    /// leaves no doubt that a cold query says the same. The promise for curved shapes, which is the weakest one. More
-    /// costs time only; no pair is known that needs as much (CandidateBitsTests has those that come exactly to the
+    /// <summary>Ratio to the distance asked for and both radii: where a lower bound exceeds the distance by this much,
+    /// a cold query also reports BeyondMaxDistance. It is the accuracy promised for curved shapes, the weakest promise.
+    /// More costs time only; no pair is known that needs as much (CandidateBitsTests has pairs that come exactly to the
     /// distance).</summary>
     private const double ClearlyBeyond = 1e-6;
 
@@ -112,25 +112,25 @@ internal readonly struct SceneDistanceJob(
         PairWarmStarts.Frame now = warmStarts.Now, before = warmStarts.Last;
         for (int i = begin; i < end; i++)
         {
-            bool keepsShapes = objects.KeepShapes(pairs[i], warmStarts.LastCall);
-            PairState state = warmStarts.Resume(i, keepsShapes, ref last);
-            now.Kept[i] = state == PairState.Reported && objects.Rest(pairs[i], warmStarts.LastCall)
+            bool haveKeptShapes = objects.HaveKeptShapes(pairs[i], warmStarts.LastCall);
+            PairState state = warmStarts.Resume(i, haveKeptShapes, ref last);
+            now.Kept[i] = state == PairState.Reported && objects.AreAtRest(pairs[i], warmStarts.LastCall)
                 && before.Results[last].Distance <= maxDistance;
             if (!now.Kept[i]) continue;
             now.Results[i] = before.Results[last];
             now.Parts[i] = before.Parts[last];
         }
 
-        Ask(begin, end);
-        if (objects.Parts.Any) AskParts(begin, end);
+        SolveConvex(begin, end);
+        if (objects.Concave.Any) SolveConcave(begin, end);
         for (int i = begin; i < end; i++)
         {
             ref DistanceResult result = ref now.Results[i];
             bool isUnclear = now.States[i] == PairState.Beyond && !IsClearlyBeyond(pairs[i], result);
-            if (isUnclear && !objects.Parts.Has(pairs[i]))
+            if (isUnclear && !objects.Concave.Contains(pairs[i]))
             {
                 now.Starts[i].Clear();
-                AskAlone(i);
+                SolveOne(i);
             }
 
             bool isBeyond = result.Status == GjkStatus.BeyondMaxDistance;
@@ -138,8 +138,8 @@ internal readonly struct SceneDistanceJob(
         }
     }
 
-    /// <summary>Asks about the pairs that keep no answer, each from its warm start.</summary>
-    private void Ask(int begin, int end)
+    /// <summary>Queries the pairs that keep no answer, each from its warm start.</summary>
+    private void SolveConvex(int begin, int end)
     {
 #if NET
         if (WideBatch.IsSupported)
@@ -153,25 +153,25 @@ internal readonly struct SceneDistanceJob(
         }
 #endif
         for (int i = begin; i < end; i++)
-            if (!warmStarts.Now.Kept[i]) AskAlone(i);
+            if (!warmStarts.Now.Kept[i]) SolveOne(i);
     }
 
-    /// <summary>Asks about the pairs that are not convex, cold.</summary>
-    private void AskParts(int begin, int end)
+    /// <summary>Queries the pairs that are not convex, cold.</summary>
+    private void SolveConcave(int begin, int end)
     {
-        ConcaveScratch scratch = objects.Parts.Rent();
+        ConcaveScratch scratch = objects.Concave.Rent();
         for (int i = begin; i < end; i++)
         {
-            if (warmStarts.Now.Kept[i] || !objects.Parts.Has(pairs[i])) continue;
-            PairDistance found = objects.Parts.Distance(pairs[i], maxDistance, scratch);
+            if (warmStarts.Now.Kept[i] || !objects.Concave.Contains(pairs[i])) continue;
+            PairDistance found = objects.Concave.Distance(pairs[i], maxDistance, scratch);
             warmStarts.Now.Results[i] = found.Result;
             warmStarts.Now.Parts[i] = new ObjectPair(found.PartA, found.PartB);
         }
 
-        objects.Parts.Return(scratch);
+        objects.Concave.Return(scratch);
     }
 
-    private void AskAlone(int i)
+    private void SolveOne(int i)
     {
         (ConvexShape[] shapes, RigidPose[] poses, ObjectPair pair) = (objects.Shapes, objects.Poses, pairs[i]);
         warmStarts.Now.Results[i] = ConvexQuery.Distance(
@@ -182,5 +182,50 @@ internal readonly struct SceneDistanceJob(
     {
         double size = maxDistance + objects.Bounds[pair.A].Radius + objects.Bounds[pair.B].Radius;
         return result.Status == GjkStatus.BeyondMaxDistance && result.LowerBound > maxDistance + ClearlyBeyond * size;
+    }
+}
+
+/// <summary>Finds how deep a scene's pairs overlap. Pairs at rest keep their answers, which a new query would
+/// repeat.</summary>
+internal readonly struct SceneDepthJob(
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairDistance> answers) : IShareJob
+{
+    public void Run(int begin, int end)
+    {
+        ConcaveScratch? scratch = objects.Concave.RentIfAny();
+        int last = answers.Seek(begin);
+        for (int i = begin; i < end; i++)
+        {
+            ObjectPair pair = pairs[i];
+            if (objects.TryKeep(answers, pair, i, ref last)) continue;
+            if (objects.Concave.Contains(pair)) objects.Concave.FindDepths(pair, scratch!, answers.AllFor(i));
+            else answers[i] = objects.DepthOf(pair);
+        }
+
+        objects.Concave.Return(scratch);
+    }
+}
+
+/// <summary>Finds the contacts of a scene's pairs that are not joined. Pairs at rest keep their answers, which a new
+/// query would repeat.</summary>
+internal readonly struct SceneContactJob(
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap)
+    : IShareJob
+{
+    public void Run(int begin, int end)
+    {
+        ConcaveScratch? scratch = objects.Concave.RentIfAny();
+        int last = answers.Seek(begin);
+        for (int i = begin; i < end; i++)
+        {
+            ObjectPair pair = pairs[i];
+            if (unions.IsJoined(i)) continue;
+            if (objects.TryKeep(answers, pair, i, ref last) && SceneUnions.JoinedCount(answers[i]) == 0) continue;
+            answers[i] = default;
+            if (objects.Concave.Contains(pair)) objects.Concave.FindContacts(pair, maxGap, scratch!, answers.AllFor(i));
+            else answers[i] = objects.ContactsOf(pair, maxGap);
+        }
+
+        objects.Concave.Return(scratch);
     }
 }

@@ -9,18 +9,18 @@ internal sealed class SceneMoves(SceneObjects objects)
     /// <summary>Count of objects that one thread moves in turn. A matter of speed only.</summary>
     private const int ShareLength = 512;
 
-    /// <summary>By slot: the last move that names it, if that move names it.</summary>
+    /// <summary>By slot: the last move of the object. Out of date unless that move names the slot.</summary>
     private int[] _lastMoves = [];
 
     private int _refused;
 
-    /// <summary>By move: whose it is, or <see cref="None"/>.</summary>
+    /// <summary>By move: the slot of its object, or <see cref="None"/>.</summary>
     public int[] Slots { get; private set; } = [];
 
     /// <summary>By move: the new box.</summary>
     public Aabb[] Boxes { get; private set; } = [];
 
-    /// <summary>Finds slots and boxes, and changes nothing yet.</summary>
+    /// <summary>Finds the slots and boxes, and changes nothing in the scene yet.</summary>
     /// <returns>The first move that is refused; negative for none.</returns>
     public int Prepare(int[] ids, RigidPose[] poses, Workers? workers)
     {
@@ -30,7 +30,7 @@ internal sealed class SceneMoves(SceneObjects objects)
         return _refused < int.MaxValue ? _refused : -1;
     }
 
-    /// <summary>Gives the objects their poses; the boxes are for the broad phase.</summary>
+    /// <summary>Gives the objects their poses. The broad phase takes the boxes.</summary>
     public void Apply(RigidPose[] poses, long calls, Workers? workers)
     {
         DropRepeated(poses.Length);
@@ -42,12 +42,11 @@ internal sealed class SceneMoves(SceneObjects objects)
         if (_lastMoves.Length < objects.Ids.Length) _lastMoves = new int[objects.Ids.Length];
         if (Slots.Length >= count) return;
         int capacity = BoundsTable.Grown(Slots.Length, count);
-        int[] slots = new int[capacity];
-        (Boxes, Slots) = (new Aabb[capacity], slots);
+        (Boxes, Slots) = (new Aabb[capacity], new int[capacity]);
     }
 
-    /// <summary>Of the moves of one object the last stays. What the table holds from another call counts for nothing,
-    /// because the move that it names is another object's, or comes later.</summary>
+    /// <summary>Keeps the last move of each object. An entry that another call left does no harm: its move is another
+    /// object's, or comes later.</summary>
     private void DropRepeated(int count)
     {
         for (int i = 0; i < count; i++)

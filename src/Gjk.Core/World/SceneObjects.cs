@@ -1,8 +1,8 @@
 namespace Gjk.Core;
 
-/// <summary>The objects of a scene in arrays, ordered by id. An id is the next number ever; its slot is the same until
-/// so many objects were removed that the arrays are closed up, which keeps the order, so pairs sorted by slot are
-/// always sorted by id.</summary>
+/// <summary>The objects of a scene, in arrays ordered by id. Ids count up and are never given again. An object keeps
+/// its slot until so many were removed that the arrays are closed up. That keeps the order, so pairs sorted by slot are
+/// sorted by id.</summary>
 internal sealed class SceneObjects
 {
     /// <summary>By slot.</summary>
@@ -23,11 +23,11 @@ internal sealed class SceneObjects
     /// <summary>How many calls had been made when the object got the shape that it has.</summary>
     private long[] _shapedAfter = [];
 
-    /// <summary>How many calls had been made when any object last got its shape, so that no pair need be looked at
-    /// where all have kept theirs.</summary>
+    /// <summary>How many calls had been made when any object last got its shape. If that is long ago, no pair need be
+    /// checked.</summary>
     private long _anyShapedAfter = -1;
 
-    /// <summary>Whether all settings are the default ones, so that no pair need be looked at for them.</summary>
+    /// <summary>True while all objects have usual settings, so that no pair need be checked for them.</summary>
     public bool AreAllTested = true;
 
     /// <summary>The id of each slot, ascending.</summary>
@@ -43,23 +43,23 @@ internal sealed class SceneObjects
     public int Count;
 
     /// <summary>The objects that are not convex; their shapes here are default structs.</summary>
-    public readonly ScenePartQueries Parts;
+    public readonly ScenePartQueries Concave;
 
-    /// <summary>In place of an id: the shape that a question brings.</summary>
+    /// <summary>The id of a guest: the shape of a query, which is not in the scene.</summary>
     public const int GuestId = -1;
 
     private int _nextId;
 
-    public SceneObjects() => Parts = new ScenePartQueries(this);
+    public SceneObjects() => Concave = new ScenePartQueries(this);
 
     /// <summary>Whether every slot is its id.</summary>
     public bool IsDirect { get; private set; } = true;
 
-    /// <summary>Whether the next object needs the arrays closed up first; slots change.</summary>
+    /// <summary>Whether to close up the arrays before the next object is added. Slots change then.</summary>
     public bool ShouldCloseUp =>
         (End == Ids.Length && Count < End / 2) || (End == BoundsTable.IdLimit && Count < End);
 
-    /// <summary>Makes room for one more object; nothing changes if there is no memory for it.</summary>
+    /// <summary>Makes room for one more object. Changes nothing if there is no memory for it.</summary>
     /// <returns>The slot that it will have.</returns>
     public int Reserve()
     {
@@ -86,17 +86,17 @@ internal sealed class SceneObjects
     /// <summary>Gives the object in a slot another shape.</summary>
     public void SetShape(int slot, in AnyShape shape, in ShapeBounds bounds, long call)
     {
-        if (shape.Kind == AnyShapeKind.Convex) Parts.Remove(slot);
-        else Parts.Set(slot, shape);
+        if (shape.Kind == AnyShapeKind.Convex) Concave.Remove(slot);
+        else Concave.Set(slot, shape);
         Shapes[slot] = AnyShape.ConvexOf(shape);
         Bounds[slot] = bounds;
         MovedAfter[slot] = _shapedAfter[slot] = _anyShapedAfter = call;
     }
 
-    /// <summary>Puts a shape that is none of the scene's beside the objects while a question is asked about it: a
-    /// moving body whose id is <see cref="GuestId"/>, which no finder meets.</summary>
+    /// <summary>Puts the shape of a query beside the objects, as a moving body with the id <see cref="GuestId"/>. No
+    /// query about all objects meets it.</summary>
     /// <returns>Its slot, the first that is free.</returns>
-    public int Invite(in ConvexShape shape, in RigidPose pose, in ShapeBounds bounds)
+    public int AddGuest(in ConvexShape shape, in RigidPose pose, in ShapeBounds bounds)
     {
         if (End == Ids.Length) Grow();
         Shapes[End] = shape;
@@ -107,8 +107,8 @@ internal sealed class SceneObjects
         return End;
     }
 
-    /// <summary>Lets go of the guest's shape.</summary>
-    public void Dismiss() => Shapes[End] = default;
+    /// <summary>Forgets the guest's shape.</summary>
+    public void RemoveGuest() => Shapes[End] = default;
 
     public void SetSettings(int slot, in ObjectSettings settings)
     {
@@ -144,9 +144,9 @@ internal sealed class SceneObjects
         return new PairContacts(PartSide.NoPart, PartSide.NoPart, depth, manifold, IdsOf(pair));
     }
 
-    /// <summary>Whether at most half of the objects have moved since a call: else it does not pay to look which pairs
-    /// rest.</summary>
-    public bool MostRest(long call)
+    /// <summary>Whether at most half of the objects have moved since a call. If more have, it costs less to query all
+    /// pairs than to look for those at rest.</summary>
+    public bool AreMostAtRest(long call)
     {
         int moved = 0;
         for (int slot = 0; slot < End; slot++)
@@ -155,27 +155,27 @@ internal sealed class SceneObjects
     }
 
     /// <summary>Whether neither object of a pair has moved since a call.</summary>
-    public bool Rest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
+    public bool AreAtRest(ObjectPair pair, long call) => MovedAfter[pair.A] < call && MovedAfter[pair.B] < call;
 
     /// <summary>Whether both objects of a pair have had their shapes since before a call.</summary>
-    public bool KeepShapes(ObjectPair pair, long call) =>
+    public bool HaveKeptShapes(ObjectPair pair, long call) =>
         _anyShapedAfter < call || (_shapedAfter[pair.A] < call && _shapedAfter[pair.B] < call);
 
     /// <summary>Gives the i-th pair the answer that it had in the last frame, if neither object has moved
     /// since.</summary>
     public bool TryKeep<T>(PairAnswers<T> answers, ObjectPair pair, int i, ref int last)
         where T : struct =>
-        answers.KnowsAny && Rest(pair, answers.LastCall) && answers.TryKeep(i, ref last);
+        answers.KnowsAny && AreAtRest(pair, answers.LastCall) && answers.TryKeep(i, ref last);
 
     /// <summary>Whether a question sees the object in a slot.</summary>
     public bool IsSeen(int slot, in QueryFilter filter) => filter.Sees(Ids[slot], Settings[slot]);
 
-    /// <summary>Lets go of the hull, too.</summary>
+    /// <summary>Removes the object in a slot, and forgets its shape.</summary>
     public void Remove(int slot)
     {
         Alive[slot] = false;
         Shapes[slot] = default;
-        Parts.Remove(slot);
+        Concave.Remove(slot);
         Count--;
     }
 
@@ -186,8 +186,8 @@ internal sealed class SceneObjects
         return (uint)slot < (uint)End && Alive[slot] ? slot : -1;
     }
 
-    /// <summary>The slot of an id that the caller gave as an argument.</summary>
-    public int Checked(int id, string name)
+    /// <summary>The slot of an id that the caller gave as an argument; throws where there is no such object.</summary>
+    public int RequireSlot(int id, string name)
     {
         int slot = SlotOf(id);
         if (slot >= 0) return slot;
@@ -196,7 +196,7 @@ internal sealed class SceneObjects
             name, id, wasThere ? "The object with this id was removed." : "There was never an object with this id.");
     }
 
-    /// <summary>Moves the objects together.</summary>
+    /// <summary>Closes up the arrays: moves the objects into the slots of removed ones, in their order.</summary>
     public void CloseUp()
     {
         int kept = 0;
@@ -204,7 +204,7 @@ internal sealed class SceneObjects
         {
             if (!Alive[slot]) continue;
             Shapes[kept] = Shapes[slot];
-            Parts.Move(slot, kept);
+            Concave.Move(slot, kept);
             Poses[kept] = Poses[slot];
             Bounds[kept] = Bounds[slot];
             Settings[kept] = Settings[slot];
@@ -225,7 +225,7 @@ internal sealed class SceneObjects
         // A full scene has room for a guest.
         int capacity = Math.Min(BoundsTable.Grown(Ids.Length, End), BoundsTable.IdLimit + 1);
         Array.Resize(ref Shapes, capacity);
-        Parts.Reserve();
+        Concave.Reserve();
         Array.Resize(ref Poses, capacity);
         Array.Resize(ref Bounds, capacity);
         Array.Resize(ref Settings, capacity);
@@ -233,7 +233,7 @@ internal sealed class SceneObjects
         Array.Resize(ref _shapedAfter, capacity);
         Array.Resize(ref Alive, capacity);
 
-        // Last: its length says that there is room in all of them.
+        // Resized last: the length of this array counts as that of all.
         Array.Resize(ref Ids, capacity);
     }
 }

@@ -1,7 +1,7 @@
 namespace Gjk.Core;
 
-/// <summary>The objects of a scene that are not convex, and the queries about them. The jobs ask the convex pairs
-/// first, for which an object that is not convex is invalid input, and then these, each with a scratch of its
+/// <summary>The objects of a scene that are not convex, and the queries about them. A job first queries the convex
+/// pairs; there an object that is not convex is invalid input. Then it queries the others here, with a scratch of its
 /// own.</summary>
 internal sealed class ScenePartQueries(SceneObjects objects)
 {
@@ -13,17 +13,17 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>Whether there has been an object that is not convex.</summary>
     public bool Any { get; private set; }
 
-    /// <summary>How many pairs make a part of a job: pairs of surfaces cost far more than convex ones.</summary>
+    /// <summary>How many pairs one share of a job has. Pairs of surfaces cost far more than convex ones.</summary>
     public int ShareLength => Any ? PairBatch.ConcaveShareLength : PairBatch.ShareLength;
 
     /// <summary>Whether the object in a slot is not convex.</summary>
-    public bool Has(int slot) => Any && objects.Shapes[slot].Kind == ShapeKind.None;
+    public bool Contains(int slot) => Any && objects.Shapes[slot].Kind == ShapeKind.None;
 
     /// <summary>Whether an object of a pair is not convex.</summary>
-    public bool Has(ObjectPair pair) => Has(pair.A) || Has(pair.B);
+    public bool Contains(ObjectPair pair) => Contains(pair.A) || Contains(pair.B);
 
     /// <summary>The shape in a slot, convex or not.</summary>
-    public AnyShape this[int slot] => Has(slot) ? _shapes[slot] : AnyShape.Of(objects.Shapes[slot]);
+    public AnyShape this[int slot] => Contains(slot) ? _shapes[slot] : AnyShape.Of(objects.Shapes[slot]);
 
     public void Set(int slot, in AnyShape shape)
     {
@@ -32,7 +32,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
         _shapes[slot] = shape;
     }
 
-    /// <summary>Makes room for as many as there are slots.</summary>
+    /// <summary>Makes room for every slot.</summary>
     public void Reserve()
     {
         if (Any && _shapes.Length < objects.Shapes.Length) Array.Resize(ref _shapes, objects.Shapes.Length);
@@ -51,7 +51,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
 
     public ConcaveScratch Rent() => _scratches.Rent();
 
-    /// <summary>None while all objects are convex.</summary>
+    /// <summary>A scratch; null while all objects are convex.</summary>
     public ConcaveScratch? RentIfAny() => Any ? Rent() : null;
 
     public void Return(ConcaveScratch? scratch)
@@ -66,7 +66,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>The distance between two objects, convex or not.</summary>
     public PairDistance Distance(int a, int b, float maxDistance)
     {
-        if (!Has(a) && !Has(b))
+        if (!Contains(a) && !Contains(b))
         {
             return new PairDistance(
                 ConvexQuery.Distance(
@@ -82,7 +82,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     /// <summary>Where a ray meets an object, convex or not.</summary>
     public RayHit RayCast(int slot, in RayQuery ray, in CastOptions options, RaySides sides)
     {
-        if (!Has(slot))
+        if (!Contains(slot))
         {
             RayCastResult convex = ConvexQuery.RayCast(
                 objects.Shapes[slot], objects.Poses[slot], ray.Origin, ray.Direction, ray.MaxDistance, options, sides);
@@ -114,7 +114,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     {
         ConcaveQuery.FindPairsWithin(
             this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], maxDistance, scratch, distances);
-        for (int i = 0; i < distances.Count; i++) distances[i] = distances[i].Of(objects.IdsOf(pair));
+        for (int i = 0; i < distances.Count; i++) distances[i] = distances[i].WithPair(objects.IdsOf(pair));
     }
 
     /// <summary>The depths of all pairs of parts of two objects.</summary>
@@ -122,7 +122,7 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     {
         ConcaveQuery.FindDepths(
             this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], scratch, depths);
-        for (int i = 0; i < depths.Count; i++) depths[i] = depths[i].Of(objects.IdsOf(pair));
+        for (int i = 0; i < depths.Count; i++) depths[i] = depths[i].WithPair(objects.IdsOf(pair));
     }
 
     /// <summary>The contacts of all pairs of parts of two objects.</summary>
@@ -130,6 +130,6 @@ internal sealed class ScenePartQueries(SceneObjects objects)
     {
         ConcaveQuery.FindContacts(
             this[pair.A], objects.Poses[pair.A], this[pair.B], objects.Poses[pair.B], maxGap, scratch, contacts);
-        for (int i = 0; i < contacts.Count; i++) contacts[i] = contacts[i].Of(objects.IdsOf(pair));
+        for (int i = 0; i < contacts.Count; i++) contacts[i] = contacts[i].WithPair(objects.IdsOf(pair));
     }
 }

@@ -1,8 +1,8 @@
 namespace Gjk.Core;
 
 /// <summary>The first object that a ray meets, of those that the broad phase shows.</summary>
-/// <remarks>Each object is asked about the whole ray, never about the part before the best one: what it answers then is
-/// what it answers alone, to the last bit.</remarks>
+/// <remarks>Each object is queried with the whole ray, not only up to the best hit, so that its answer has the bits of
+/// a query alone.</remarks>
 internal struct FirstRayHit(
     SceneObjects objects, in RayQuery ray, in QueryFilter filter, in CastOptions options, RaySides sides)
     : ISweepVisitor
@@ -19,19 +19,19 @@ internal struct FirstRayHit(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, _filter)) return _limit;
-        Take(objects.Ids[slot], objects.Parts.RayCast(slot, _ray, _options, sides));
+        KeepIfFirst(objects.Ids[slot], objects.Concave.RayCast(slot, _ray, _options, sides));
         return _limit;
     }
 
     /// <summary>Keeps an answer if it is the first hit.</summary>
-    public void Take(int id, in RayHit found)
+    public void KeepIfFirst(int id, in RayHit found)
     {
         if (!found.Result.MayHit) return;
-        RayHit hit = found.Of(id);
+        RayHit hit = found.WithId(id);
         if (Hit.Id >= 0 && hit.CompareTo(Hit) > 0) return;
         Hit = hit;
 
-        // Twice, since the distance and the fraction are rounded each on its own scale.
+        // Twice: the distance and the fraction are rounded on different scales.
         _limit = SweptBox.After(SweptBox.After(found.Distance) / _length);
     }
 }
@@ -44,8 +44,8 @@ internal readonly struct AllRayHits(
     public double Visit(int slot)
     {
         if (!objects.IsSeen(slot, filter)) return double.PositiveInfinity;
-        RayHit found = objects.Parts.RayCast(slot, ray, options, sides);
-        if (found.Result.MayHit) hits.Add(found.Of(objects.Ids[slot]));
+        RayHit found = objects.Concave.RayCast(slot, ray, options, sides);
+        if (found.Result.MayHit) hits.Add(found.WithId(objects.Ids[slot]));
         return double.PositiveInfinity;
     }
 }

@@ -1,23 +1,23 @@
 namespace Gjk.Core;
 
-/// <summary>The bodies of a scene that touch more than one static object, such as the tiles of a floor: those count as
-/// one body, whose seams do not show.</summary>
+/// <summary>The bodies of a scene that may touch several static objects, such as the tiles of a floor. These objects
+/// count as one body, whose seams do not show.</summary>
 internal sealed class SceneUnions(SceneObjects objects)
 {
     private ulong[] _keys = new ulong[16];
     private bool[] _isJoined = new bool[16];
 
-    /// <summary>Where the pairs of each body begin among the keys, and where they end.</summary>
+    /// <summary>The range of each body's pairs among the keys.</summary>
     private readonly List<(int Begin, int End)> _bodies = [];
 
     public int Count => _bodies.Count;
 
-    /// <summary>Whether the i-th pair is of such a body and object.</summary>
-    public bool Has(int i) => _isJoined[i];
+    /// <summary>Whether the i-th pair is one of a body and a joined object.</summary>
+    public bool IsJoined(int i) => _isJoined[i];
 
-    /// <summary>Finds them among pairs of slots.</summary>
+    /// <summary>Collects the bodies, and their pairs.</summary>
     /// <param name="pairs">Those that may touch.</param>
-    /// <param name="joins">Whether there are any.</param>
+    /// <param name="joins">Whether static objects are joined at all.</param>
     public void Collect(List<ObjectPair> pairs, bool joins)
     {
         _bodies.Clear();
@@ -54,59 +54,59 @@ internal sealed class SceneUnions(SceneObjects objects)
     /// <param name="answers">Gets those of its pairs.</param>
     /// <param name="maxGap">World units.</param>
     /// <param name="scratch">Memory for the search.</param>
-    public void Find(
+    public void FindContacts(
         int index, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, float maxGap, ConcaveScratch scratch)
     {
         (int begin, int end) = _bodies[index];
-        if (TryKeep(begin, end, pairs, answers)) return;
+        if (TryKeepAll(begin, end, pairs, answers)) return;
         var body = (int)(_keys[begin] >> 32);
-        scratch.B.TrySet(objects.Parts[body], objects.Poses[body]);
+        scratch.B.TrySet(objects.Concave[body], objects.Poses[body]);
         scratch.Pairs.Clear();
         for (int k = begin; k < end; k++)
         {
             var i = (int)(uint)_keys[k];
-            answers.Parts(i).Clear();
+            answers.AllFor(i).Clear();
             answers[i] = new PairContacts(end - begin, PartSide.NoPart, default, default);
             int slot = pairs[i].A == body ? pairs[i].B : pairs[i].A;
             Aabb box = objects.Bounds[slot].BoxAt(objects.Poses[slot]);
-            JoinedGrounds.Add(scratch, objects.Parts[slot], objects.Poses[slot], box, i, maxGap);
+            JoinedGrounds.Add(scratch, objects.Concave[slot], objects.Poses[slot], box, i, maxGap);
         }
 
         if (scratch.GroundCount == 1)
         {
             // One alone is not joined.
-            int i = scratch.Grounds[0].Name;
+            int i = scratch.Grounds[0].PairIndex;
             scratch.GroundCount = 0;
-            objects.Parts.FindContacts(pairs[i], maxGap, scratch, answers.Parts(i));
+            objects.Concave.FindContacts(pairs[i], maxGap, scratch, answers.AllFor(i));
         }
 
         if (scratch.GroundCount == 0) return;
         JoinedGrounds.FindContacts(scratch, maxGap, scratch.Joined);
         foreach (PairContacts one in scratch.Joined)
         {
-            int i = scratch.Grounds[one.Pair.A].Name;
+            int i = scratch.Grounds[one.Pair.A].PairIndex;
             PairContacts placed = pairs[i].A == body ? one.Swapped : one;
-            answers.Parts(i).Add(placed.Of(objects.IdsOf(pairs[i])));
+            answers.AllFor(i).Add(placed.WithPair(objects.IdsOf(pairs[i])));
         }
 
         scratch.GroundCount = 0;
     }
 
-    /// <summary>Of how many objects that are joined a pair's answer is; 0 of others.</summary>
-    public static int CountIn(in PairContacts answer) => answer.Manifold.Count == 0 ? Math.Max(answer.PartA, 0) : 0;
+    /// <summary>How many objects are joined in a pair's answer; 0 for a pair that is not joined.</summary>
+    public static int JoinedCount(in PairContacts answer) => answer.Manifold.Count == 0 ? Math.Max(answer.PartA, 0) : 0;
 
     /// <summary>A half-space has no seam, and goes on everywhere.</summary>
     private bool IsEndless(int slot) => objects.Shapes[slot].Kind == ShapeKind.HalfSpace;
 
-    /// <summary>Gives the pairs of a body their last answers, if neither it nor any of the objects has moved, been
-    /// added or gone.</summary>
-    private bool TryKeep(int begin, int end, List<ObjectPair> pairs, PairAnswers<PairContacts> answers)
+    /// <summary>Keeps the last answers of a body's pairs, if neither the body nor an object has moved, been added or
+    /// removed.</summary>
+    private bool TryKeepAll(int begin, int end, List<ObjectPair> pairs, PairAnswers<PairContacts> answers)
     {
         for (int k = begin; k < end; k++)
         {
             var i = (int)(uint)_keys[k];
-            if (!answers.KnowsAny || !objects.Rest(pairs[i], answers.LastCall)) return false;
-            if (CountIn(answers.LastOf(i)) != end - begin) return false;
+            if (!answers.KnowsAny || !objects.AreAtRest(pairs[i], answers.LastCall)) return false;
+            if (JoinedCount(answers.LastAnswer(i)) != end - begin) return false;
         }
 
         for (int k = begin; k < end; k++)
@@ -117,5 +117,18 @@ internal sealed class SceneUnions(SceneObjects objects)
         }
 
         return true;
+    }
+}
+
+/// <summary>Finds the contacts of bodies with static objects that are joined.</summary>
+internal readonly struct SceneUnionJob(
+    SceneObjects objects, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, SceneUnions unions, float maxGap)
+    : IShareJob
+{
+    public void Run(int begin, int end)
+    {
+        ConcaveScratch scratch = objects.Concave.Rent();
+        for (int i = begin; i < end; i++) unions.FindContacts(i, pairs, answers, maxGap, scratch);
+        objects.Concave.Return(scratch);
     }
 }

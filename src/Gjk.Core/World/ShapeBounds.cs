@@ -62,12 +62,12 @@ public readonly struct ShapeBounds
 
         if (shape.Kind == AnyShapeKind.None)
             throw new ArgumentException("A default AnyShape has no extent.", nameof(shape));
-        PartBox box = PartBox.Of(shape.Mesh is not null ? shape.Mesh : shape.Compound!);
+        PartBox box = PartBox.Around(shape.Mesh is not null ? shape.Mesh : shape.Compound!);
         this = new ShapeBounds((box.Min + box.Max) * 0.5, (box.Max - box.Min) * 0.5);
     }
 
-    /// <summary>Measures the box of a tree, which may be a little larger than its parts, without a look at
-    /// them.</summary>
+    /// <summary>Measures the box of a tree, which may be a little larger than its parts, without reading
+    /// these.</summary>
     internal ShapeBounds(PartTree tree)
         : this(tree.Origin + tree.Read(0) * tree.Unit, tree.ReachOf(0) * tree.Unit)
     {
@@ -112,7 +112,7 @@ public readonly struct ShapeBounds
             Clamped(center.X + x), Clamped(center.Y + y), Clamped(center.Z + z));
     }
 
-    /// <summary>To a finite float: all positions are, so what reaches beyond meets nothing there.</summary>
+    /// <summary>Clamps to finite floats. All positions are finite, so nothing is met beyond.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Clamped(double x) =>
         x > float.MaxValue ? float.MaxValue : x < -float.MaxValue ? -float.MaxValue : (float)x;

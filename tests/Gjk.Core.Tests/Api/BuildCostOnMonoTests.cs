@@ -26,7 +26,7 @@ public class BuildCostOnMonoTests
         ("Guard.NotNull", Making), ("PairFrame.Tighten", Given),
         ("UnitSized.*", Decorator), ("ConvexQuery.AddPlacedPoints", Placed), ("PairQuery.SolveCopies", Given),
         ("Placed.*", Decorator), ("Rounded.*", Decorator), ("Scaled.*", Decorator),
-        ("HalfSpacePair.Solve", "the core of the other shape, once for each query"), ("PairAnswers.LastOf", Answer),
+        ("HalfSpacePair.Solve", "the core of the other shape, once for each query"), ("PairAnswers.LastAnswer", Answer),
     ];
 
     private static readonly (string Method, string Reason)[] ByValue =
@@ -40,7 +40,8 @@ public class BuildCostOnMonoTests
         ("BestNormal.set_Normal", "once for each normal"),
         ("GjkDistance.Stop", "once for each search"), ("GjkDistance.TraceReduction", Trace),
         ("Proofs.IsCertainlyInside", "once, where the simplex may hold the origin"),
-        ("DeepestPoint.Contact", "it changes its copy"), ("CompoundShape.BoxOf", Making), ("BoxFit.set_Origin", Making),
+        ("DeepestPoint.MakeContact", "it changes its copy"), ("CompoundShape.BoxOf", Making),
+        ("BoxFit.set_Origin", Making),
     ];
 
     private static readonly (string Method, string Reason)[] LargeLocals =
@@ -71,7 +72,7 @@ public class BuildCostOnMonoTests
         ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
         ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
         ("TouchLine.*", Contact),
-        ("DeepestPoint.*", Contact), ("TriangleBack.IsBack", Answer),
+        ("DeepestPoint.*", Contact),
         ("AxialDepth.*", State), ("CornerDepth.*", Way), ("CylinderDepth.*", Way), ("PairForm.*", Way),
         ("BoxDepth.Solve", State), ("BoxDepthPoints.Find", "once, for the ends of the way that was found"),
         ("DepthBounds.StoreWithPoints", "where B is beyond the way out, once for each depth"),
@@ -87,9 +88,9 @@ public class BuildCostOnMonoTests
         ("CollisionScene.*", "once for each question about the whole scene"), ("NearestSearch.*", Answer),
         ("MovingShape.*", Answer), ("FirstCastHit.*", Answer), ("AllCastHits.*", Answer),
         ("SceneObjects.DepthOf", Answer), ("SceneObjects.ContactsOf", Answer),
-        ("HalfSpaceMotion.*", State), ("HalfSpacePair.*", Answer), ("MetTogether.*", Contact),
+        ("HalfSpaceMotion.*", State), ("HalfSpacePair.*", Answer), ("SimultaneousHits.*", Contact),
         ("SceneRayJob.Run", State),
-        ("SceneDistanceJob.AskParts", "once for some dozens of pairs"), ("ScenePartQueries.*", Part),
+        ("SceneDistanceJob.SolveConcave", "once for some dozens of pairs"), ("ScenePartQueries.*", Part),
         ("SceneUnions.*", Contact), ("JoinedGrounds.*", Cover), ("PartSide.*", Cover),
         ("ShapeBounds.BoxAt", "the turned axes, of which each object that moved needs all"),
         ("ShapeBounds.ctor", Making),

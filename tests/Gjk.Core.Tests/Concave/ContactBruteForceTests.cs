@@ -136,7 +136,7 @@ public class ContactBruteForceTests
             var at = new RigidPose(
                 random.Rotation(), new Vector3(random.Float(-0.3, 0.3), 0.095f, random.Float(-0.3, 0.3)));
             ConcaveQuery.FindContacts(ground, RigidPose.Identity, ball, at, 0.005f, _scratch, _contacts);
-            asked += _scratch.Search.Asked;
+            asked += _scratch.Search.QueryCount;
             found += _scratch.Pairs.Count;
         }
 

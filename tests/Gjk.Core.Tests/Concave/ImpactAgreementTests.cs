@@ -68,7 +68,7 @@ public sealed class ImpactAgreementTests
                 a, new RigidMotion(RigidPose.Identity, default, Vector3.UnitY), b,
                 new RigidMotion(new RigidPose(new Vector3(0, 9, 0)), -Vector3.UnitY), _scratch, tolerance);
             Assert.Equal((CastStatus.Miss, 1f), (r.Status, r.Result.Fraction));
-            Assert.Equal(0, _scratch.CastSearch.Asked);
+            Assert.Equal(0, _scratch.CastSearch.QueryCount);
             Assert.InRange(_scratch.CastSearch.Steps, 0, 8);
         }
     }

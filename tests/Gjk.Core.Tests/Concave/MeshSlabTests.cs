@@ -81,10 +81,10 @@ public class MeshSlabTests
         {
             var pose = new RigidPose(new Vector3(0.01f * i, i * 2e-6f, 0));
             Assert.False(ConcaveQuery.Overlaps(plate, RigidPose.Identity, plate, pose, scratch));
-            Assert.Equal(0, scratch.Search.Asked);
+            Assert.Equal(0, scratch.Search.QueryCount);
             float distance = ConcaveQuery.Distance(plate, RigidPose.Identity, plate, pose, scratch).Distance;
             Assert.Equal(pose.Position.Y, distance);
-            Assert.InRange(scratch.Search.Asked, 1, 60);
+            Assert.InRange(scratch.Search.QueryCount, 1, 60);
         }
     }
 

@@ -120,8 +120,8 @@ public sealed class PartAdvancementTests
     {
         ref PartCastSearch search = ref _scratch.CastSearch;
         double speed = search.Speed, fraction = 0;
-        int work = search.Steps + search.Asked / 32, distances = 0;
-        string spent = $"{search.Steps} steps, {search.Asked} parts";
+        int work = search.Steps + search.QueryCount / 32, distances = 0;
+        string spent = $"{search.Steps} steps, {search.QueryCount} parts";
         PartWarmStart nearest = default;
         for (; fraction < end && distances < 4000; distances++)
         {

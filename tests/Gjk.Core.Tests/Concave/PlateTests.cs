@@ -89,7 +89,7 @@ public class PlateTests
         CastHit found = ConcaveQuery.Cast(
             plate, RigidPose.Identity, Vector3.Zero, plate, poseB, new Vector3(0.5f, 0, 0.3f), scratch);
         Assert.Equal(CastStatus.Miss, found.Status);
-        Assert.InRange(scratch.CastSearch.Asked, 1, 64);
+        Assert.InRange(scratch.CastSearch.QueryCount, 1, 64);
     }
 
     [Fact]
@@ -108,6 +108,6 @@ public class PlateTests
         }
 
         Assert.Equal(least, found.Distance);
-        Assert.InRange(scratch.Search.Asked, 1, ball.TriangleCount / 4);
+        Assert.InRange(scratch.Search.QueryCount, 1, ball.TriangleCount / 4);
     }
 }

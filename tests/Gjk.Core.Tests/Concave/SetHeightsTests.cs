@@ -54,7 +54,11 @@ public class SetHeightsTests
                 for (int lane = 0; lane < tree.Children.Length; lane++)
                     BoxLanesTests.AssertHolds(mesh, tree, lane, tree.Children[lane]);
                 for (int i = 0; i < mesh.VertexCount; i++)
-                    if (IsUsed(mesh, i)) Assert.True((mesh.GetPlace(i) - tree.Origin).Length <= tree.Radius, name);
+                {
+                    if (!IsUsed(mesh, i)) continue;
+                    Assert.True((mesh.GetScaledVertex(i) - tree.Origin).Length <= tree.Radius, name);
+                }
+
                 AnyShape surface = AnyShape.Surface(mesh), ball = AnyShape.Of(ConvexShape.Sphere(size / 10));
                 var at = new RigidPose(random.Vector(2 * size));
                 float least = float.PositiveInfinity;

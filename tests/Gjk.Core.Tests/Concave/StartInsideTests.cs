@@ -30,7 +30,7 @@ public class StartInsideTests
         CastHit start = ConcaveQuery.Cast(
             torus, RigidPose.Identity, Vector3.UnitX, torus, at, Vector3.UnitX, _scratch);
         Assert.Equal(CastStatus.OverlappingAtStart, start.Status);
-        Assert.Equal(pairs.Count, _scratch.CastSearch.Asked);
+        Assert.Equal(pairs.Count, _scratch.CastSearch.QueryCount);
     }
 
     [Fact]

@@ -57,7 +57,7 @@ public unsafe class TriangleLanesTests
                 plate, pose, plate, new RigidPose(pose.Rotation, offset), scratch);
             Assert.InRange(found.Distance, gap * 0.999f, gap * 1.001f);
             Assert.InRange(found.Result.LowerBound, gap * 0.998f, found.Distance);
-            Assert.InRange(scratch.Search.Asked, 1, 2000);
+            Assert.InRange(scratch.Search.QueryCount, 1, 2000);
         }
     }
 

@@ -88,7 +88,7 @@ internal sealed class SceneSet
     {
         (ConvexShape other, RigidPose at) = (World.Shapes[i], World.Poses[i]);
         CastResult found = ConvexQuery.Cast(shape, pose, motion, other, at, Vector3.Zero, most, options);
-        CastOptions within = UnionLift.Within(UnionLift.RoundingOf(lifted));
+        CastOptions within = CastOptions.OnlyDeeper(UnionLift.RoundingOf(lifted));
         bool isPassed = lifted != pose && !UnionLift.IsOutOf(found, lifted, lift, motion, -1)
             && !ConvexQuery.Cast(shape, lifted, motion, other, at, Vector3.Zero, most, within).MayHit;
         if (found.MayHit && isPassed) found = CastResult.Nothing(CastStatus.Miss, most, 0);
@@ -114,7 +114,7 @@ internal sealed class SceneSet
         in RigidPose lifted, CastHit hit)
     {
         var union = new EachAlone(this, shape, pose, motion, most, [.. Seen(filter)]);
-        return options.PassesShallow ? UnionLift.OfUnion(ref union, options, lifted, 0, hit) : hit;
+        return options.PassesShallow ? UnionLift.FirstOfUnion(ref union, options, lifted, 0, hit) : hit;
     }
 
     private struct EachAlone(
@@ -129,10 +129,10 @@ internal sealed class SceneSet
 
         public readonly Double3 WayAt(in Double3 point, float fraction) => motion;
 
-        public readonly CastResult Along(in RigidPose pose, Vector3 way) =>
+        public readonly CastResult CastAlong(in RigidPose pose, Vector3 way) =>
             First(pose, way, way == Vector3.Zero ? 0 : 1, default).Result;
 
-        public readonly CastHit After(float fraction, in RigidPose pose, in CastOptions options) =>
+        public readonly CastHit CastFrom(float fraction, in RigidPose pose, in CastOptions options) =>
             First(pose, motion, most - fraction, options);
 
         public readonly bool ShowsFace(in CastHit hit) => MetFeatures.AnyIsFace(
@@ -143,7 +143,7 @@ internal sealed class SceneSet
             var first = new CastHit(CastResult.Nothing(CastStatus.Miss, limit, 0));
             foreach (int i in seen)
             {
-                CastHit hit = set.CastAt(i, shape, pose, way, limit, options, pose, default).Of(i);
+                CastHit hit = set.CastAt(i, shape, pose, way, limit, options, pose, default).WithId(i);
                 if (hit.Result.MayHit && (first.Id < 0 || hit.CompareTo(first) < 0)) first = hit;
             }
 

@@ -226,7 +226,7 @@ public class ConcaveSceneTests
             from p in Pairs
             let found = ConcaveQuery.Distance(Shapes[p.A], Poses[p.A], Shapes[p.B], Poses[p.B], scratch, Reach)
             where found.Status != GjkStatus.BeyondMaxDistance
-            select Near(found.Of(p));
+            select Near(found.WithPair(p));
 
         /// <summary>Distances of convex pairs begin where the last ended, so that their last bits may differ.</summary>
         public string Near(PairDistance d) => AreConvex(d.Pair) ? $"{d.Pair} is near" : Text(d);
@@ -238,7 +238,7 @@ public class ConcaveSceneTests
             {
                 ConcaveQuery.FindDepths(Shapes[p.A], Poses[p.A], Shapes[p.B], Poses[p.B], scratch, parts);
                 foreach (PairDistance one in parts)
-                    yield return Text(one.Of(p));
+                    yield return Text(one.WithPair(p));
             }
         }
 
@@ -249,7 +249,7 @@ public class ConcaveSceneTests
             {
                 ConcaveQuery.FindContacts(Shapes[p.A], Poses[p.A], Shapes[p.B], Poses[p.B], Reach, scratch, parts);
                 foreach (PairContacts one in parts)
-                    yield return Text(one.Of(p));
+                    yield return Text(one.WithPair(p));
             }
         }
 

@@ -145,12 +145,12 @@ public class RestingSceneTests
         var answers = new PairAnswers<int>();
         int[] ids = [3, 5, 9];
         long calls = 4;
-        answers.Begin([new(0, 1), new(0, 2), new(1, 2)], ids, ref calls);
+        answers.BeginFrame([new(0, 1), new(0, 2), new(1, 2)], ids, ref calls);
         Assert.Equal((5, 0), (calls, answers.LastCall));
         for (int i = 0; i < 3; i++) answers[i] = 10 + i;
-        if (isComplete) answers.Complete();
+        if (isComplete) answers.CompleteFrame();
         calls = 7;
-        answers.Begin([new(0, 2), new(1, 2)], ids, ref calls);
+        answers.BeginFrame([new(0, 2), new(1, 2)], ids, ref calls);
         Assert.Equal((8, 5), (calls, answers.LastCall));
         int last = answers.Seek(1);
         Assert.Equal(isComplete, answers.TryKeep(1, ref last));

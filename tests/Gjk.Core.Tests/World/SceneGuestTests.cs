@@ -67,7 +67,7 @@ public class SceneGuestTests
             {
                 ConcaveQuery.FindPairsWithin(
                     AnyShape.Of(shape), pose, scene.GetAnyShape(id), scene.GetPose(id), within, scratch, found);
-                expected.AddRange(found.Select(d => Text(d.Of(new ObjectPair(-1, id)), 0)));
+                expected.AddRange(found.Select(d => Text(d.WithPair(new ObjectPair(-1, id)), 0)));
             }
 
             scene.FindDistances(shape, pose, within, _distances);

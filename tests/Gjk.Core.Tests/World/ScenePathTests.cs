@@ -61,7 +61,7 @@ public class ScenePathTests
                 if (set.Rng.Below(10) == 0) motion = default;
                 RigidPose lifted = set.Lifted(shape, pose, motion, most, filter, options, out Double3 lift);
                 CastHit[] expected = [.. set.Seen(filter).Select(
-                    i => set.CastAt(i, shape, pose, motion, most, options, lifted, lift).Of(i))
+                    i => set.CastAt(i, shape, pose, motion, most, options, lifted, lift).WithId(i))
                     .Where(h => h.Result.Status != CastStatus.Miss).Order()];
                 counts[expected.Length > 0 ? 1 : 0]++;
 

@@ -14,21 +14,22 @@ public class UndecidedHitTests
     {
         var first = new FirstCastHit(null!, default);
         Assert.Equal((-1, CastStatus.Miss), (first.Hit.Id, first.Hit.Status));
-        first.Take(7, new CastHit(LateHit));
-        first.Take(9, new CastHit(Undecided));
+        first.KeepIfFirst(7, new CastHit(LateHit));
+        first.KeepIfFirst(9, new CastHit(Undecided));
         Assert.Equal((9, CastStatus.IterationLimit, 0.25f), (first.Hit.Id, first.Hit.Status, first.Hit.Fraction));
         Assert.False(first.Hit.IsHit);
 
         // A hit before it, or at the same fraction with a lower number, comes first.
-        first.Take(8, new CastHit(new CastResult(CastStatus.Hit, 0.25f, default, default, 1)));
+        first.KeepIfFirst(8, new CastHit(new CastResult(CastStatus.Hit, 0.25f, default, default, 1)));
         Assert.Equal(8, first.Hit.Id);
-        first.Take(1, new CastHit(Undecided));
+        first.KeepIfFirst(1, new CastHit(Undecided));
         Assert.Equal(1, first.Hit.Id);
-        first.Take(2, new CastHit(new CastResult(CastStatus.OverlappingAtStart, 0, default, Vector3.UnitX, 1, 0.5f)));
+        first.KeepIfFirst(
+            2, new CastHit(new CastResult(CastStatus.OverlappingAtStart, 0, default, Vector3.UnitX, 1, 0.5f)));
         Assert.Equal(2, first.Hit.Id);
-        first.Take(0, new CastHit(Undecided));
-        first.Take(0, new CastHit(CastResult.Nothing(CastStatus.Miss, 1, 1)));
-        first.Take(0, new CastHit(CastResult.Nothing(CastStatus.InvalidShape, float.NaN, 1)));
+        first.KeepIfFirst(0, new CastHit(Undecided));
+        first.KeepIfFirst(0, new CastHit(CastResult.Nothing(CastStatus.Miss, 1, 1)));
+        first.KeepIfFirst(0, new CastHit(CastResult.Nothing(CastStatus.InvalidShape, float.NaN, 1)));
         Assert.Equal(2, first.Hit.Id);
     }
 
@@ -37,11 +38,11 @@ public class UndecidedHitTests
     {
         var ray = new RayQuery(Vector3.Zero, Vector3.UnitX, 9);
         var first = new FirstRayHit(null!, ray, default, default, RaySides.Both);
-        first.Take(7, new RayHit(new RayCastResult(CastStatus.Hit, 4, Vector3.One, -Vector3.UnitX, 0)));
-        first.Take(9, new RayHit(RayCastResult.Nothing(CastStatus.IterationLimit, 2, 128)));
+        first.KeepIfFirst(7, new RayHit(new RayCastResult(CastStatus.Hit, 4, Vector3.One, -Vector3.UnitX, 0)));
+        first.KeepIfFirst(9, new RayHit(RayCastResult.Nothing(CastStatus.IterationLimit, 2, 128)));
         Assert.Equal((9, CastStatus.IterationLimit, 2f), (first.Hit.Id, first.Hit.Status, first.Hit.Distance));
-        first.Take(3, new RayHit(new RayCastResult(CastStatus.Hit, 1, Vector3.One, -Vector3.UnitX, 0)));
-        first.Take(2, new RayHit(RayCastResult.Nothing(CastStatus.Miss, 9, 1)));
+        first.KeepIfFirst(3, new RayHit(new RayCastResult(CastStatus.Hit, 1, Vector3.One, -Vector3.UnitX, 0)));
+        first.KeepIfFirst(2, new RayHit(RayCastResult.Nothing(CastStatus.Miss, 9, 1)));
         Assert.Equal(3, first.Hit.Id);
     }
 }

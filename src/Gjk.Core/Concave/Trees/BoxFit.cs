@@ -1,15 +1,15 @@
 namespace Gjk.Core;
 
-/// <summary>The box of a range of parts: along the axes, or of triangles along their spread, whichever has less
+/// <summary>Fits the box of a range of parts: along the axes, or along the spread of triangles, whichever has less
 /// surface.</summary>
 /// <remarks>A box is written in float and still holds its parts: the axes are rounded first, and the parts are then
 /// measured along the rounded axes, in double, from the rounded centre. <see cref="Outward"/> covers what double loses
 /// then and the rounding of the half side.</remarks>
 internal sealed class BoxFit
 {
-    /// <summary>Ratio to the half side and to the radius: 2^-23, twice what rounding to float takes; double's own
-    /// errors, below 2^-49 of the radius, vanish in the rest. Less would lose a part's corner, as BoxLanesTests shows;
-    /// four times as much costs time only.</summary>
+    /// <summary>Ratio to the half side and to the radius: 2^-23, twice the rounding to float; double's own errors,
+    /// below 2^-49 of the radius, are within that. With less a part's corner is lost, as BoxLanesTests shows; four
+    /// times as much costs time only.</summary>
     private const double Outward = 1.0 / (1 << 23);
 
     /// <summary>Ratio to the origin's distance: 2^-50, eight times what measuring from it rounds away.</summary>
@@ -17,7 +17,7 @@ internal sealed class BoxFit
 
     private readonly IPartSource _source;
 
-    /// <summary>Room for parts that are measured together, with their boxes in the tree's frame.</summary>
+    /// <summary>Memory for the parts that are measured together, with their boxes in the tree's frame.</summary>
     private readonly PartItem[] _items;
     private double _inverse;
     private Double3 _u, _v, _w, _center, _half;
@@ -30,7 +30,7 @@ internal sealed class BoxFit
     {
         (_source, _items) = (source, items);
         for (int i = 0; i < items.Length; i++) items[i] = new PartItem(source, order is null ? i : order[i]);
-        SetFrame(PartRange.Of(items, 0, items.Length).Box);
+        SetFrame(PartRange.Over(items, 0, items.Length).Box);
         ToFrame(items.Length);
     }
 
@@ -62,7 +62,7 @@ internal sealed class BoxFit
         Radius = (half * _inverse).Length * (1 + Outward) * Unit;
     }
 
-    /// <summary>No point of a box is further from the frame's origin; in the shape's units.</summary>
+    /// <summary>The distance of a box's furthest point from the frame's origin, in the shape's units.</summary>
     public double RadiusTo(in PartBox box)
     {
         PartBox local = Local(box);
@@ -86,32 +86,32 @@ internal sealed class BoxFit
 
     public PartBox Local(in PartBox box) => new(Local(box.Min), Local(box.Max));
 
-    /// <summary>The same parts and frame, to be measured by another thread.</summary>
+    /// <summary>A copy with the same parts and frame, for another thread.</summary>
     public BoxFit Copy() => (BoxFit)MemberwiseClone();
 
     /// <summary>Writes the frame to a tree.</summary>
     public void WriteFrame(PartTree tree) => (tree.Origin, tree.Unit, tree.Radius) = (Origin, Unit, Radius);
 
     /// <summary>Finds the box of a range.</summary>
-    public void Measure(int begin, int end) => Measure(PartRange.Of(_items, begin, end));
+    public void Measure(int begin, int end) => Measure(PartRange.Over(_items, begin, end));
 
     /// <inheritdoc cref="Measure(int, int)"/>
     public void Measure(in PartRange range)
     {
         (int begin, int end) = (range.Begin, range.End);
-        Set(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), range.Box);
+        SetBox(new Double3(1, 0, 0), new Double3(0, 1, 0), new Double3(0, 0, 1), range.Box);
         if (!TryGetSpread(begin, end, out Double3 u, out Double3 v, out Double3 w)) return;
         (u, v, w) = (ToFloats(u), ToFloats(v), ToFloats(w));
         PartBox along = MeasureAlong(begin, end, u, v, w);
-        if (along.Area < range.Box.Area) Set(u, v, w, along);
+        if (along.Area < range.Box.Area) SetBox(u, v, w, along);
     }
 
     /// <summary>Takes a box of axes that are floats.</summary>
     /// <param name="u">An axis, of unit length but for rounding.</param>
     /// <param name="v">The second.</param>
     /// <param name="w">The third.</param>
-    /// <param name="box">From where to where it reaches along them, in tree units.</param>
-    public void Set(in Double3 u, in Double3 v, in Double3 w, in PartBox box)
+    /// <param name="box">The extent along the axes, in tree units.</param>
+    public void SetBox(in Double3 u, in Double3 v, in Double3 w, in PartBox box)
     {
         Double3 middle = (box.Min + box.Max) * 0.5;
         Double3 center = ToFloats(u * middle.X + v * middle.Y + w * middle.Z);
@@ -175,7 +175,7 @@ internal sealed class BoxFit
 
     private static Double3 ToFloats(in Double3 v) => new((float)v.X, (float)v.Y, (float)v.Z);
 
-    /// <summary>The larger of both ways along each axis, and a little more.</summary>
+    /// <summary>The larger reach along each axis, and a little more.</summary>
     private Double3 Widened(in Double3 up, in Double3 down)
     {
         double radius = Radius * _inverse * (Outward / 2) + Origin.SumOfMagnitudes * _inverse * FromFar;

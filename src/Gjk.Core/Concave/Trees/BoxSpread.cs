@@ -2,8 +2,7 @@ namespace Gjk.Core;
 
 /// <summary>How the surfaces of triangles are spread: the moments of area about a point, and the axes along which they
 /// spread most and least (Gottschalk, Lin and Manocha, "OBBTree", 1996).</summary>
-/// <remarks>It only proposes axes: whatever they are, the box along them is measured from the corners
-/// themselves.</remarks>
+/// <remarks>The axes only have to be good: the box along them is measured from the corners themselves.</remarks>
 internal struct BoxSpread
 {
     /// <summary>Count: each sweep of rotations doubles the digits, so eight are more than enough.</summary>
@@ -46,16 +45,16 @@ internal struct BoxSpread
         {
             double rest = Math.Abs(xy) + Math.Abs(xz) + Math.Abs(yz);
             if (!(rest > Negligible * (Math.Abs(xx) + Math.Abs(yy) + Math.Abs(zz)))) break;
-            Turn(ref xx, ref yy, ref xy, ref xz, ref yz, ref u, ref v);
-            Turn(ref xx, ref zz, ref xz, ref xy, ref yz, ref u, ref w);
-            Turn(ref yy, ref zz, ref yz, ref xy, ref xz, ref v, ref w);
+            Uncouple(ref xx, ref yy, ref xy, ref xz, ref yz, ref u, ref v);
+            Uncouple(ref xx, ref zz, ref xz, ref xy, ref yz, ref u, ref w);
+            Uncouple(ref yy, ref zz, ref yz, ref xy, ref xz, ref v, ref w);
         }
 
         return true;
     }
 
     /// <summary>One of Jacobi's rotations (Golub and Van Loan, 8.5): what couples two axes becomes 0.</summary>
-    private static void Turn(
+    private static void Uncouple(
         ref double pp, ref double qq, ref double pq, ref double pr, ref double qr, ref Double3 p, ref Double3 q)
     {
         if (pq == 0) return;

@@ -22,7 +22,7 @@ internal struct PartBox
         new Double3(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity));
 
     /// <summary>Holds all parts.</summary>
-    public static PartBox Of(IPartSource source)
+    public static PartBox Around(IPartSource source)
     {
         PartBox all = Nothing;
         for (int i = 0; i < source.Count; i++) all.Add(new PartItem(source, i).Box);
@@ -53,15 +53,7 @@ internal struct PartBox
         if (box.MaxZ > MaxZ) MaxZ = box.MaxZ;
     }
 
-    public void Add(in Double3 point)
-    {
-        if (point.X < MinX) MinX = point.X;
-        if (point.Y < MinY) MinY = point.Y;
-        if (point.Z < MinZ) MinZ = point.Z;
-        if (point.X > MaxX) MaxX = point.X;
-        if (point.Y > MaxY) MaxY = point.Y;
-        if (point.Z > MaxZ) MaxZ = point.Z;
-    }
+    public void Add(in Double3 point) => Add(new PartBox(point, point));
 
     /// <summary>Twice the middle along an axis.</summary>
     public readonly double Middle(int axis) => axis == 0 ? MinX + MaxX : axis == 1 ? MinY + MaxY : MinZ + MaxZ;

@@ -19,16 +19,16 @@ internal readonly struct PartRange(int begin, int end, in PartBox box)
 {
     public readonly int Begin = begin, End = end;
 
-    /// <summary>Of all of them.</summary>
+    /// <summary>The box of all of them.</summary>
     public readonly PartBox Box = box;
 
-    /// <summary>Their surface times their count: what it costs to leave them together.</summary>
+    /// <summary>Their surface times their count: the cost of leaving them together.</summary>
     public readonly double Weight = box.Area * (end - begin);
 
     public int Count => End - Begin;
 
     /// <summary>The parts from one to before another.</summary>
-    public static PartRange Of(PartItem[] items, int begin, int end)
+    public static PartRange Over(PartItem[] items, int begin, int end)
     {
         PartBox box = PartBox.Nothing;
         for (int i = begin; i < end; i++) box.Add(items[i].Box);
@@ -36,7 +36,7 @@ internal readonly struct PartRange(int begin, int end, in PartBox box)
     }
 }
 
-/// <summary>What gives the parts of a shape to the builder of a tree.</summary>
+/// <summary>The source of a shape's parts for the builder of a tree.</summary>
 internal interface IPartSource
 {
     /// <summary>How many parts there are; at least 1.</summary>

@@ -20,9 +20,8 @@ internal sealed class PartTree
     /// <summary>A lane without a box.</summary>
     public const int Empty = int.MinValue;
 
-    /// <summary>Ratio to half sides: 2^-20, what axes that are rounded to float lack of being perpendicular. Each of
-    /// their nine numbers is off by 2^-24 at most, so what turns them back by 6 * 2^-24. More costs time
-    /// only.</summary>
+    /// <summary>Ratio to half sides: 2^-20, how far axes rounded to float are from perpendicular. Each of their nine
+    /// numbers is off by 2^-24 at most, so the inverse rotation is off by 6 * 2^-24. More costs time only.</summary>
     private const double Skew = 1.0 / (1 << 20);
 
     /// <summary>Ratio: 2^-22, more than rounding the half side of a single part to float takes.</summary>
@@ -47,7 +46,7 @@ internal sealed class PartTree
 
     public PartTree(float[] boxes, int[] children, int[] order) => (Boxes, Children, Order) = (boxes, children, order);
 
-    /// <summary>The tree of one part, which a convex shape is to the searches; its box is set later.</summary>
+    /// <summary>The tree of a convex shape, which is one part to the searches. Its box is set later.</summary>
     public static PartTree Single()
     {
         var tree = new PartTree(new float[Stride], new int[Lanes], new int[1]);
@@ -79,7 +78,7 @@ internal sealed class PartTree
         Boxes[Halves + 2 * Lanes] = (float)half.Z;
     }
 
-    /// <summary>The power of two that lengths are given in which sum up to so much.</summary>
+    /// <summary>The power of two that is the unit of lengths with such a sum.</summary>
     public static double UnitOf(double most) =>
         most > 0 ? PowerOfTwo.AtMost(Math.Max(most, float.Epsilon)) : 1;
 
@@ -109,7 +108,7 @@ internal sealed class PartTree
         return reach;
     }
 
-    /// <summary>A leaf with some of the parts, in their order.</summary>
+    /// <summary>A leaf with so many parts, from the first.</summary>
     public static int Leaf(int first, int count) => ~(first * Lanes + count);
 
     public static int FirstOf(int leaf) => ~leaf / Lanes;

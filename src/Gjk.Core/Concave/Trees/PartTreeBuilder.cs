@@ -57,7 +57,7 @@ internal sealed class PartTreeBuilder
     {
         var builder = new PartTreeBuilder(source, leafSize, mostInLeaf, workers);
         int root = builder.NewNode();
-        builder.Place(root, 0, PartRange.Of(builder._items, 0, builder._items.Length), 1);
+        builder.WriteLane(root, 0, PartRange.Over(builder._items, 0, builder._items.Length), 1);
         Array.Resize(ref builder._boxes, builder._nodes * PartTree.Stride);
         Array.Resize(ref builder._children, builder._nodes * PartTree.Lanes);
         int[] order = Array.ConvertAll(builder._items, item => item.Part);
@@ -86,7 +86,7 @@ internal sealed class PartTreeBuilder
     }
 
     /// <summary>Writes a lane: the box of a range, and what is below it.</summary>
-    private void Place(int node, int lane, in PartRange range, int depth)
+    private void WriteLane(int node, int lane, in PartRange range, int depth)
     {
         int child = range.Count <= _mostInLeaf ? PartTree.Leaf(range.Begin, range.Count) : Split(range, depth);
         _fit.Measure(range);
@@ -120,7 +120,7 @@ internal sealed class PartTreeBuilder
             return node;
         }
 
-        for (int i = 0; i < count; i++) Place(node, i, ranges[i], depth + 1);
+        for (int i = 0; i < count; i++) WriteLane(node, i, ranges[i], depth + 1);
         return node;
     }
 
@@ -158,7 +158,7 @@ internal sealed class PartTreeBuilder
     {
         public void Run(int begin, int end)
         {
-            for (int i = begin; i < end; i++) branches[i].Place(branches[i].NewNode(), 0, ranges[i], 2);
+            for (int i = begin; i < end; i++) branches[i].WriteLane(branches[i].NewNode(), 0, ranges[i], 2);
         }
     }
 
@@ -172,7 +172,7 @@ internal sealed class PartTreeBuilder
         if (cut < 0)
         {
             int middle = begin + range.Count / 2;
-            (range, rest) = (PartRange.Of(_items, begin, middle), PartRange.Of(_items, middle, end));
+            (range, rest) = (PartRange.Over(_items, begin, middle), PartRange.Over(_items, middle, end));
             return;
         }
 

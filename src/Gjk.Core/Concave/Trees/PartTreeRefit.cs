@@ -9,12 +9,12 @@ internal static class PartTreeRefit
         var fit = new BoxFit(source, new PartItem[like.Order.Length], like.Order);
         var tree = new PartTree((float[])like.Boxes.Clone(), like.Children, like.Order);
         fit.WriteFrame(tree);
-        Place(fit, tree, 0, out _, out _);
+        RefitBox(fit, tree, 0, out _, out _);
         return tree;
     }
 
-    /// <summary>Writes a box, after those below it, and gives the range of its parts.</summary>
-    private static void Place(BoxFit fit, PartTree tree, int box, out int begin, out int end)
+    /// <summary>Writes a box after those below it, and returns the range of its parts.</summary>
+    private static void RefitBox(BoxFit fit, PartTree tree, int box, out int begin, out int end)
     {
         int child = tree.Children[box];
         (begin, end) = (int.MaxValue, 0);
@@ -22,7 +22,7 @@ internal static class PartTreeRefit
         for (int i = PartTree.Lanes * child; child >= 0 && i < PartTree.Lanes * (child + 1); i++)
         {
             if (tree.Children[i] == PartTree.Empty) continue;
-            Place(fit, tree, i, out int first, out int last);
+            RefitBox(fit, tree, i, out int first, out int last);
             (begin, end) = (Math.Min(begin, first), Math.Max(end, last));
         }
 

@@ -1,13 +1,13 @@
 namespace Gjk.Core;
 
-/// <summary>Fits a tree, in place, to parts that have moved within a region; the rest of it stays as it is.</summary>
-/// <remarks>The box of a leaf is measured from its parts. A box above is measured from the boxes below it, along the
-/// axes that it has: that asks no part outside the region, and makes it a little larger than its parts. Boxes change
-/// how fast an answer is found, not what it is. Allocates nothing.</remarks>
+/// <summary>Fits a tree, in place, to parts that have moved within a region. The rest of the tree stays.</summary>
+/// <remarks>A leaf's box is measured from its parts. A box above is measured from the boxes below it, along its old
+/// axes: no part outside the region is read, and the box is a little larger than its parts. Boxes change the speed, not
+/// the answer. Allocates nothing.</remarks>
 internal sealed class RegionRefit
 {
-    /// <summary>Ratio of the radius to the tree's unit, below 2 in a new tree: where parts grow beyond it, the frame
-    /// and all boxes are made anew, at most once for each doubling. More only takes bits of the boxes'
+    /// <summary>Ratio of the radius to the tree's unit, below 2 in a new tree. If parts grow beyond it, the frame and
+    /// all boxes are made anew, at most once for each doubling. More only costs precision of the boxes'
     /// floats.</summary>
     private const double MostGrown = 4;
 
@@ -18,16 +18,16 @@ internal sealed class RegionRefit
     private PartBox _region;
 
     /// <param name="source">The parts.</param>
-    /// <param name="tree">Theirs; it is changed.</param>
+    /// <param name="tree">The tree of the parts; it is changed.</param>
     public RegionRefit(IPartSource source, PartTree tree)
     {
         (_source, _tree) = (source, tree);
         _fit = new BoxFit(source, _items, tree);
     }
 
-    /// <summary>Fits what may hold a part that lies in a region, before or after it has moved.</summary>
+    /// <summary>Fits the boxes that may hold a part in a region, before or after it has moved.</summary>
     /// <param name="region">In the shape's frame.</param>
-    /// <param name="moved">Holds the points that have moved, where they are now.</param>
+    /// <param name="moved">A box of the points that have moved, at their new places.</param>
     public void Fit(in PartBox region, in PartBox moved)
     {
         double radius = _fit.RadiusTo(moved);
@@ -40,28 +40,28 @@ internal sealed class RegionRefit
         _fit.Widen(radius);
         _fit.WriteFrame(_tree);
         _region = _fit.Local(region);
-        Place(0);
+        RefitBox(0);
     }
 
-    /// <summary>Fits the frame and all boxes, as far as a tree of this form can be.</summary>
+    /// <summary>Fits the frame and all boxes; the form of the tree stays.</summary>
     public void FitAll()
     {
-        _fit.SetFrame(PartBox.Of(_source));
+        _fit.SetFrame(PartBox.Around(_source));
         _fit.WriteFrame(_tree);
         _region = PartBox.Everything;
-        Place(0);
+        RefitBox(0);
     }
 
     /// <summary>Writes a lane's box, after those below it, if it may hold a part of the region.</summary>
     /// <param name="box">A node times <see cref="PartTree.Lanes"/>, and its lane.</param>
-    private void Place(int box)
+    private void RefitBox(int box)
     {
         int child = _tree.Children[box], at = PartTree.At(box);
         if (child == PartTree.Empty || !MeetsRegion(at)) return;
         if (child < 0) Measure(PartTree.FirstOf(child), PartTree.CountOf(child));
         else
         {
-            for (int i = 0; i < PartTree.Lanes; i++) Place(PartTree.Lanes * child + i);
+            for (int i = 0; i < PartTree.Lanes; i++) RefitBox(PartTree.Lanes * child + i);
             Surround(child, at);
         }
 
@@ -97,6 +97,6 @@ internal sealed class RegionRefit
             box.Add(new PartBox(center - reach, center + reach));
         }
 
-        _fit.Set(u, v, w, box);
+        _fit.SetBox(u, v, w, box);
     }
 }

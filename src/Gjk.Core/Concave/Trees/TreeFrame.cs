@@ -1,16 +1,16 @@
 namespace Gjk.Core;
 
-/// <summary>Where tree B is, seen from tree A, in units of the pair: the power of two below the largest of both radii,
-/// the reach (the margins around both trees) and the distance of the trees' origins, so that all lengths in it are a
-/// few units at most.</summary>
+/// <summary>The pose of tree B relative to tree A, in pair units. The pair unit is the power of two below the largest
+/// of both radii, the reach (the margins around both trees) and the distance of the trees' origins, so that all lengths
+/// are a few units at most.</summary>
 internal struct TreeFrame
 {
-    /// <summary>Ratio to the radii and the distance of the origins: 2^-18, 64 units of u = 2^-24. What float's rounding
-    /// does to a bound of <see cref="BoxLanes"/> is no more than that; its header counts. Pinned by
+    /// <summary>Ratio to the radii and the distance of the origins: 2^-18, 64 units of u = 2^-24, the most that
+    /// rounding to float changes a bound of <see cref="BoxLanes"/>; its header counts. Pinned by
     /// BoxLanesTests.</summary>
     public const float Slack = 1f / (1 << 18);
 
-    /// <summary>Ratio to the positions: 2^-45; double rounds less away where trees lie far from poses.</summary>
+    /// <summary>Ratio to the positions: 2^-45, more than double rounds away where trees lie far from poses.</summary>
     private const double FarSlack = 1.0 / (1L << 45);
 
     /// <summary>B's axes in A's frame.</summary>
@@ -31,10 +31,11 @@ internal struct TreeFrame
     /// <summary>In pair units: the trees' radii.</summary>
     public double RadiusA, RadiusB;
 
-    /// <summary>In pair units: by so much each bound of a length is lowered.</summary>
+    /// <summary>In pair units: each bound of a length is lowered by this.</summary>
     public float Room;
 
-    /// <summary>The part of <see cref="Room"/> that double takes, where the trees lie far from their frames.</summary>
+    /// <summary>The share of <see cref="Room"/> for rounding in double, where the trees lie far from their
+    /// frames.</summary>
     public float FarRoom;
 
     /// <summary>In pair units: a lower bound of the squared distance, that of the balls around the trees.</summary>
@@ -80,7 +81,7 @@ internal struct TreeFrame
     /// <param name="other">The other box as they see it.</param>
     /// <returns>Whether A's is opened.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly unsafe bool Open(
+    public readonly unsafe bool ChooseOpened(
         float* boxesA, int a, int childA, float* boxesB, int b, int childB, out float* node, out float factor,
         out TurnedBox other)
     {

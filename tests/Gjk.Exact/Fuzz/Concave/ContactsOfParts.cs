@@ -13,7 +13,7 @@ internal static class ContactsOfParts
     /// <summary>Ratio to the longest side of the parts: a triangle that is less high shows nothing.</summary>
     private const double Flat = 1e-4;
 
-    /// <summary>Ratio of a height to how far away the corners are, 2^-20: float holds no lower triangle there.</summary>
+    /// <summary>Ratio of a height to the place, 2^-20: float holds no lower triangle there.</summary>
     private const double FlatThere = 1.0 / (1 << 20);
 
     /// <summary>Ratio to the size and the place: how far a point may be off its part.</summary>
@@ -82,7 +82,7 @@ internal static class ContactsOfParts
             return Say.Line($"the parts say {part}, {manifold.Count} points");
         }
 
-        bool isAlong = Along(pair.RawA, a, pair.PoseA, normal) || Along(pair.RawB, b, pair.PoseB, normal);
+        bool isAlong = Along(pair.PartsA[a], pair.PoseA, normal) || Along(pair.PartsB[b], pair.PoseB, normal);
         if (!(isAlong || pair.HasSolid || IsClimbed(pair, normal, gap)))
             return Say.Line($"neither along a face nor what the parts say: {part}, {manifold.Count} points");
         for (int k = 0; k < one.Manifold.Count; k++)
@@ -192,11 +192,22 @@ internal static class ContactsOfParts
         (pair.RawA.Triangles is null || Along(pair.RawA, a, pair.PoseA, normal))
             && (pair.RawB.Triangles is null || Along(pair.RawB, b, pair.PoseB, normal));
 
-    /// <summary>Whether a direction is across a triangle.</summary>
-    private static bool Along(RawShape shape, int part, in RigidPose pose, Vector3 normal)
+    /// <summary>Whether a direction is across a triangle of a mesh.</summary>
+    private static bool Along(RawShape shape, int part, in RigidPose pose, Vector3 normal) =>
+        shape.Triangles is not null && shape.CornersOf(part) is { } corners && Along(corners, pose, normal);
+
+    /// <summary>Whether a direction is across a part that is a triangle.</summary>
+    private static bool Along(in ConvexShape part, in RigidPose pose, Vector3 normal)
     {
-        if (shape.Triangles is null) return false;
-        Double3[] corners = shape.CornersOf(part)!;
+        if (part.Kind != ShapeKind.Triangle) return false;
+        part.TryGetVertex(0, out Double3 a);
+        part.TryGetVertex(1, out Double3 b);
+        part.TryGetVertex(2, out Double3 c);
+        return Along([a, b, c], pose, normal);
+    }
+
+    private static bool Along(Double3[] corners, in RigidPose pose, Vector3 normal)
+    {
         Double3 across = Double3.Cross(corners[1] - corners[0], corners[2] - corners[0]);
         double length = across.Length;
         if (!(length > 0)) return false;

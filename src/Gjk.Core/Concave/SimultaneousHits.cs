@@ -1,21 +1,21 @@
 namespace Gjk.Core;
 
-/// <summary>Which of several pairs of parts that are met at once gives the contact: where a corner lands on a corner,
-/// each pair has a normal of its own, but only one that separates all of them holds for the bodies.</summary>
-internal static class MetTogether
+/// <summary>Chooses the contact among several pairs of parts that are met at once. Where a corner lands on a corner,
+/// each pair has a normal of its own, but only one that separates all pairs holds for the bodies.</summary>
+internal static class SimultaneousHits
 {
-    /// <summary>Ratio to the parts' radii: 2^-18, as <see cref="MetFeatures"/> has it; what rounding a normal to float
-    /// lets parts reach past the plane. A facet of CornerLandingTests reaches ten thousand times further: four times
-    /// more or less changes nothing.</summary>
+    /// <summary>Ratio to the parts' radii: 2^-18, as in <see cref="MetFeatures"/>: how far parts may reach past the
+    /// plane when its normal is rounded to float. A facet of CornerLandingTests reaches ten thousand times further;
+    /// four times more or less changes nothing.</summary>
     private const double Level = 1.0 / (1 << 18);
 
-    /// <summary>Count: so many of them are tried; a bound of the cost where none separates. It is more than meet at one
-    /// corner of most meshes.</summary>
+    /// <summary>Count: the most normals that are tried, where none separates. More meet at a corner of few
+    /// meshes.</summary>
     private const int MostTries = 64;
 
-    /// <summary>Gives the last search the contact whose normal separates the pairs that are met at its point: of
-    /// several the best feature, then the least numbers.</summary>
-    public static void Settle(ConcaveScratch scratch, in PartMotion motion)
+    /// <summary>Gives the last search the contact whose normal separates all pairs met at its point. Of several, the
+    /// one with the best feature, then the least numbers.</summary>
+    public static void KeepSeparating(ConcaveScratch scratch, in PartMotion motion)
     {
         ref PartCastSearch search = ref scratch.CastSearch;
         List<CastHit> met = scratch.Met;
@@ -45,14 +45,13 @@ internal static class MetTogether
         return true;
     }
 
-    /// <summary>How far two parts reach into each other along a normal, but for what all pairs have in
-    /// common.</summary>
+    /// <summary>How far two parts reach into each other along a normal, up to an offset that all pairs share.</summary>
     private static double Reach(
         ConcaveScratch scratch, in CastHit pair, in Double3 inA, in Double3 inB, out double size)
     {
         ConvexShape room = default;
-        size = scratch.A.Part(pair.PartA, ref room).BoundingRadius;
-        size += scratch.B.Part(pair.PartB, ref room).BoundingRadius;
+        size = scratch.A.ShapeOf(pair.PartA, ref room).BoundingRadius;
+        size += scratch.B.ShapeOf(pair.PartB, ref room).BoundingRadius;
         return PlaneProof.ReachOf(scratch.A, pair.PartA, inA) + PlaneProof.ReachOf(scratch.B, pair.PartB, inB);
     }
 }

@@ -1,0 +1,133 @@
+using Gjk.Core.Tests.Support;
+
+namespace Gjk.Core.Tests.Concave;
+
+/// <summary>A closed mesh on meshes that are children of a compound meets their triangles' faces, as it does those of
+/// the meshes alone.</summary>
+public class ClosedMeshOnCompoundTests
+{
+    private static readonly RigidPose s_here = RigidPose.Identity;
+
+    private readonly ConcaveScratch _scratch = new();
+
+    public static TheoryData<string, float> Depths
+    {
+        get
+        {
+            var data = new TheoryData<string, float>();
+            foreach (string floor in new[] { "field", "solid field", "box", "field and ball", "two fields" })
+                foreach (float depth in new[] { 0.01f, 0.03f, 0.04f, 0.06f, 0.08f }) data.Add(floor, depth);
+            return data;
+        }
+    }
+
+    /// <summary>Deeper than its bevel, where the shortest ways out of pairs of triangles lead aside.</summary>
+    [Theory]
+    [MemberData(nameof(Depths))]
+    public void ABevelledCubeIsPushedStraightUp(string floor, float depth)
+    {
+        var at = new RigidPose(new Vector3(0.2f, 0.5f - depth, 0.3f));
+        List<PairContacts> contacts = [];
+        Assert.True(ConcaveQuery.FindContacts(Floor(floor), s_here, Bevelled(0.5f), at, 0.01f, _scratch, contacts));
+        Assert.All(contacts, one => Assert.True(one.Manifold.Normal.Y > 0.999f, one.ToString()));
+        Assert.Equal(-depth, contacts.Min(one => one.Result.Distance), 1e-5f);
+        Vector3[] feet = [.. contacts.Select(one => one.Manifold[0].PointA)];
+        Assert.True(feet.Min(foot => foot.X) < 0 && feet.Max(foot => foot.X) > 0.4f, string.Join(" ", feet));
+        Assert.True(feet.Min(foot => foot.Z) < 0.1f && feet.Max(foot => foot.Z) > 0.5f, string.Join(" ", feet));
+    }
+
+    [Theory]
+    [MemberData(nameof(Depths))]
+    public void ItsWayOutOfTheFloorIsUp(string floor, float depth)
+    {
+        foreach (AnyShape body in new[] { Bevelled(0.5f), AnyShape.Solid(ConcaveShapes.Box(new Vector3(0.5f))) })
+        {
+            var turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, 1.2f + depth);
+            var at = new RigidPose(turn, new Vector3(0.2f, 0.5f - depth, 0.3f));
+            CastHit hit = ConcaveQuery.Cast(Floor(floor), s_here, default, body, at, default, _scratch);
+            Assert.Equal(CastStatus.OverlappingAtStart, hit.Status);
+            Assert.True(hit.Result.Normal.Y > 0.999f && Math.Abs(hit.Result.Depth - depth) < 1e-4f, $"{body}: {hit}");
+        }
+    }
+
+    /// <summary>A body above a floor is not under it, however large the gap: its far side does not face the
+    /// floor.</summary>
+    [Theory]
+    [InlineData(0.9f)]
+    [InlineData(4)]
+    [InlineData(float.PositiveInfinity)]
+    public void ABodyThatIsApartIsNotHeldDown(float maxGap)
+    {
+        AnyShape[] floors = [Solids.FlatField(5, 1, isSolid: false), Solids.FlatField(5, 1, isSolid: true)];
+        foreach (AnyShape floor in floors)
+        {
+            var at = new RigidPose(new Vector3(2.1f, 0.405f, 2.2f));
+            AnyShape body = AnyShape.Solid(ConcaveShapes.Box(new Vector3(0.4f)));
+            List<PairContacts> contacts = [];
+            Assert.True(ConcaveQuery.FindContacts(floor, s_here, body, at, maxGap, _scratch, contacts));
+            Assert.NotEmpty(contacts);
+            Assert.All(contacts, one => Assert.True(one.Result.Distance > 0.004f, one.ToString()));
+        }
+    }
+
+    /// <summary>What touches a wall at the start, and stands on a floor or in it, is stopped by the wall: the way out
+    /// of the wall's solid is not over its top.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(0.9995f)]
+    public void AWallThatIsTouchedStopsWhatStandsBesideIt(float height)
+    {
+        AnyShape stair = AnyShape.Of(new CompoundShape(
+        [
+            new(AnyShape.Solid(ConcaveShapes.Box(new Vector3(2, 6, 4))), new RigidPose(new Vector3(-2, -6, 0))),
+            new(AnyShape.Solid(ConcaveShapes.Box(new Vector3(1, 6, 4))), new RigidPose(new Vector3(1, -5.25f, 0))),
+        ]));
+        ConvexShape[] bodies = [ConvexShape.Capsule(0.4f, 0.6f), ConvexShape.Box(new Vector3(0.4f, 1, 0.4f))];
+        foreach (ConvexShape body in bodies)
+        {
+            var at = new RigidPose(new Vector3(-0.4f, height, -0.83f));
+            CastHit hit = ConcaveQuery.Cast(
+                stair, s_here, default, AnyShape.Of(body), at, new Vector3(0.0445f, 0, 0.0228f), _scratch, 1,
+                CastOptions.OnlyDeeper(1e-3f));
+            Assert.True(hit.IsHit && hit.Result.Normal.X < -0.999f, $"{body}: {hit}");
+        }
+    }
+
+    private static AnyShape Floor(string name)
+    {
+        var at = new RigidPose(new Vector3(-2, 0, -2));
+        var field = new CompoundPart(Solids.FlatField(5, 1, isSolid: false), at);
+        return AnyShape.Of(new CompoundShape(name switch
+        {
+            "field" => [field],
+            "solid field" => [new(Solids.FlatField(5, 1, isSolid: true), at)],
+            "box" => [new(AnyShape.Solid(ConcaveShapes.Box(new Vector3(2, 0.5f, 2))), new(new Vector3(0, -0.5f, 0)))],
+            "field and ball" => [field, new(ConvexShape.Sphere(0.1f), new RigidPose(new Vector3(50)))],
+            _ => [field, new(Solids.FlatField(5, 1, isSolid: false), new RigidPose(new Vector3(2, 0, -2)))],
+        }));
+    }
+
+    /// <summary>A cube without its edges and corners, of the half extent; the bevel is a tenth of that.</summary>
+    private static AnyShape Bevelled(float half)
+    {
+        var points = new List<Vector3>();
+        for (int i = 0; i < 24; i++)
+        {
+            var sign = new Vector3((i & 1) == 0 ? -1 : 1, (i & 2) == 0 ? -1 : 1, (i & 4) == 0 ? -1 : 1);
+            var reach = new Vector3(0.9f * half);
+            reach[i / 8] = half;
+            points.Add(sign * reach);
+        }
+
+        var hull = new ConvexHull(points);
+        var triangles = new List<int>();
+        for (int i = 0; i < hull.TriangleCount; i++)
+        {
+            hull.GetTriangle(i, out int a, out int b, out int c);
+            triangles.AddRange([a, b, c]);
+        }
+
+        IEnumerable<Vector3> corners = Enumerable.Range(0, hull.VertexCount).Select(hull.GetVertex);
+        return AnyShape.Solid(new TriangleMesh([.. corners], triangles));
+    }
+}
