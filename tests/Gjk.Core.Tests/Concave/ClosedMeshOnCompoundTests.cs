@@ -1,5 +1,3 @@
-using Gjk.Core.Tests.Support;
-
 namespace Gjk.Core.Tests.Concave;
 
 /// <summary>A closed mesh on meshes that are children of a compound meets their triangles' faces, as it does those of
