@@ -20,9 +20,16 @@ internal static class PartQuery
     {
         a.Mesh!.GetCore(partA, out TriangleCore coreA);
         b.Mesh!.GetCore(partB, out TriangleCore coreB);
+#if NET
+        UnsafeRef.SkipInit(out PairMemory memory);
+#else
+        byte* room = stackalloc byte[sizeof(PairMemory)];
+        ref PairMemory memory = ref *(PairMemory*)room;
+#endif
         var solver = new DistanceSolver<NoTrace>(maxDistance);
         PairQuery<TriangleCore, TriangleCore, DistanceSolver<NoTrace>, DistanceResult>.Solve(
-            ref coreA, ref coreA, a.Pose, ref coreB, ref coreB, b.Pose, ref solver, out DistanceResult result);
+            ref coreA, ref coreA, a.Pose, ref coreB, ref coreB, b.Pose, ref memory, ref solver,
+            out DistanceResult result);
         return result;
     }
 

@@ -113,52 +113,63 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
 #if NET
         UnsafeRef.SkipInit(out TCoreA coreA);
         UnsafeRef.SkipInit(out TCoreB coreB);
+        UnsafeRef.SkipInit(out PairMemory memory);
 #else
 #pragma warning disable CS8500 // These cores hold no references.
         // Mono clears locals one by one, by a call for each large one; this at once.
-        byte* memory = stackalloc byte[sizeof(TCoreA) + sizeof(TCoreB)];
-        ref TCoreA coreA = ref *(TCoreA*)memory;
-        ref TCoreB coreB = ref *(TCoreB*)(memory + sizeof(TCoreA));
+        byte* room = stackalloc byte[sizeof(TCoreA) + sizeof(TCoreB) + sizeof(PairMemory)];
+        ref TCoreA coreA = ref *(TCoreA*)room;
+        ref TCoreB coreB = ref *(TCoreB*)(room + sizeof(TCoreA));
+        ref PairMemory memory = ref *(PairMemory*)(room + sizeof(TCoreA) + sizeof(TCoreB));
 #pragma warning restore CS8500
 #endif
         CoreOf.Get(ref a, out coreA);
         CoreOf.Get(ref b, out coreB);
-        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
+        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref memory, ref solver, out result);
         return true;
     }
 
     /// <summary>Solves shapes without their placements.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void SolveCopies(
+    public static unsafe void SolveCopies(
         ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
     {
+#if NET
+        UnsafeRef.SkipInit(out PairMemory memory);
+#else
+        byte* room = stackalloc byte[sizeof(PairMemory)];
+        ref PairMemory memory = ref *(PairMemory*)room;
+#endif
         TA coreA = ShapeTraits<TA>.Instance.InCoreAxes(a);
         TB coreB = ShapeTraits<TB>.Instance.InCoreAxes(b);
-        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref solver, out result);
+        Solve(ref a, ref coreA, poseA, ref b, ref coreB, poseB, ref memory, ref solver, out result);
     }
 
     /// <summary>Solves shapes as they are.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void SolveAsIs(
-        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result) =>
-        Solve(ref a, ref a, poseA, ref b, ref b, poseB, ref solver, out result);
+    public static unsafe void SolveAsIs(
+        ref TA a, in RigidPose poseA, ref TB b, in RigidPose poseB, ref TSolver solver, out TResult result)
+    {
+#if NET
+        UnsafeRef.SkipInit(out PairMemory memory);
+#else
+        byte* room = stackalloc byte[sizeof(PairMemory)];
+        ref PairMemory memory = ref *(PairMemory*)room;
+#endif
+        Solve(ref a, ref a, poseA, ref b, ref b, poseB, ref memory, ref solver, out result);
+    }
 
-    /// <summary>Composes, refuses, solves and finishes.</summary>
+    /// <summary>Composes, refuses, solves and finishes, in memory that the caller has for it: Mono inlines no method
+    /// that takes some from the stack.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static unsafe void Solve<TCoreA, TCoreB>(
+    public static void Solve<TCoreA, TCoreB>(
         ref TA a, ref TCoreA coreA, in RigidPose poseA, ref TB b, ref TCoreB coreB, in RigidPose poseB,
-        ref TSolver solver, out TResult result)
+        ref PairMemory memory, ref TSolver solver, out TResult result)
         where TCoreA : struct, ISupportMap
         where TCoreB : struct, ISupportMap
     {
-#if NET
-        UnsafeRef.SkipInit(out PairFrame frame);
-        UnsafeRef.SkipInit(out SolverState state);
-#else
-        byte* memory = stackalloc byte[sizeof(PairFrame) + sizeof(SolverState)];
-        ref PairFrame frame = ref *(PairFrame*)memory;
-        ref SolverState state = ref *(SolverState*)(memory + sizeof(PairFrame));
-#endif
+        ref PairFrame frame = ref memory.Frame;
+        ref SolverState state = ref memory.State;
         if (CoreOf.IsPlaced(ref a) || CoreOf.IsPlaced(ref b))
             PairFrame.ComposePlaced(
                 ref coreA, poseA, ShapeTraits<TA>.Instance.PlacementOf(ref a), ref coreB, poseB,
@@ -187,6 +198,13 @@ internal static class PairQuery<TA, TB, TSolver, TResult>
         SolverState.Make<TCoreA, TCoreB>(frame, out state);
         solver.Solve(ref unitA, ref unitB, ref frame, ref state);
     }
+}
+
+/// <summary>The memory that a pair is solved in.</summary>
+internal struct PairMemory
+{
+    public PairFrame Frame;
+    public SolverState State;
 }
 
 /// <summary>One of the questions about a pair of shapes: what <see cref="PairQuery"/> runs.</summary>
