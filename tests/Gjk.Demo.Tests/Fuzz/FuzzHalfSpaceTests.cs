@@ -44,6 +44,29 @@ public sealed class FuzzHalfSpaceTests
         Assert.Equal([.. HalfSpacePromises.All.Take(3).Select(p => p.Name)], names);
     }
 
+    /// <summary>A triangle 5e-15 above the plane, less than rounding leaves open: the signed distance's lower bound is
+    /// below the plane, the distance's is 0.</summary>
+    [Fact]
+    public void ADistanceIsNeverBoundedFromBelowByLessThanNothing()
+    {
+        HalfSpacePair pair = Read(
+            "gjk1 halfspace 0 1 0 0 0 0 0 0 0 @ 0 0 0 1 0 0 0 triangle 0 0.80000000000000004 0 0 0 0 1 0"
+            + " -0.90000000000000002 @ 0 0 0 1 0 4.99999991E-15 -0.100000001");
+        Assert.InRange(pair.Signed.LowerBound, float.MinValue, -float.Epsilon);
+        Assert.All(HalfSpacePromises.All, p => Assert.Null(p.Broken(pair)));
+    }
+
+    /// <summary>Sizes and distances that ask for a place beyond all floats.</summary>
+    [Theory]
+    [InlineData(318_201)]
+    [InlineData(323_571)]
+    [InlineData(377_898)]
+    public void APlaceBeyondAllFloatsIsDrawnWithinThem(long index)
+    {
+        HalfSpacePair pair = HalfSpaceFamilies.Draw(4015, index, out _);
+        Assert.All(HalfSpacePromises.All, p => Assert.Null(p.Broken(pair)));
+    }
+
     [Fact]
     public void WhatIsFoundIsShrunkToARecord()
     {

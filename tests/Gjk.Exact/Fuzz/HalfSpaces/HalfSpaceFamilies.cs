@@ -16,6 +16,10 @@ internal static class HalfSpaceFamilies
 
     public static IReadOnlyList<string> Names { get; } = [.. s_all.Select(f => f.Name)];
 
+    /// <summary>How far a decorated plane may be from the shape: scaled by a size, what is far can be further than a
+    /// float holds.</summary>
+    private const double Furthest = 1e38;
+
     /// <summary>The pair of a seed and a number, with its family's name.</summary>
     public static HalfSpacePair Draw(ulong seed, long index, out string family)
     {
@@ -31,8 +35,9 @@ internal static class HalfSpaceFamilies
         double far = random.OneIn(2) ? 1 : random.Magnitude(1, 1e6);
         var at = new RigidPose(Rotations.Any(random), random.OneIn(2) ? default : random.Vector(size * far));
         var pose = new RigidPose(Rotations.Any(random), random.Vector(size * far));
-        ConvexShape plane = Decorated(random, ConvexShape.HalfSpace((Vector3)normal, offset), size);
-        var pair = new HalfSpacePair(plane, at, other, pose, default);
+        ConvexShape plane = ConvexShape.HalfSpace((Vector3)normal, offset);
+        var pair = new HalfSpacePair(Decorated(random, plane, size), at, other, pose, default);
+        if (Math.Abs(pair.Gap) > Furthest) pair = new HalfSpacePair(plane, at, other, pose, default);
         double gap = random.OneIn(4) ? random.Range(-2, 2) : Placement.AnyGap(random);
         Double3 position = (Double3)pose.Position + pair.Outward * (gap * size - pair.Gap);
         return pair.At((Vector3)position, Motion(random, pair.Outward, size));

@@ -41,7 +41,9 @@ internal static class HalfSpacePromises
         bool overlaps = ConvexQuery.Overlaps(pair.Plane, pair.PlanePose, pair.Other, pair.Pose);
         if (overlaps != r.IsOverlapping || distance.Status != r.Status || distance.Distance != Math.Max(r.Distance, 0))
             return Say.Line($"{r.Status}, {r.Distance:R}; {distance.Status}, {distance.Distance:R}; {overlaps}");
-        return overlaps ? null : Same.BitProblem(r, distance, "Distance");
+
+        // Where rounding leaves open on which side of the plane it is, a signed distance may be below 0, a distance not.
+        return overlaps ? null : Same.BitProblem(r, distance, "Distance", Math.Max(r.LowerBound, 0));
     }
 
     private static string? Mirrored(HalfSpacePair pair) => Same.BitProblem(

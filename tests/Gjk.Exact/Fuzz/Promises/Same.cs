@@ -26,9 +26,13 @@ internal static class Same
     }
 
     /// <summary>How two answers differ in any bit, or null; iterations do not count.</summary>
-    public static string? BitProblem(in DistanceResult r, in DistanceResult s, string name)
+    public static string? BitProblem(in DistanceResult r, in DistanceResult s, string name) =>
+        BitProblem(r, s, name, r.LowerBound);
+
+    /// <summary>The same, of an answer whose lower bound is known to be another.</summary>
+    public static string? BitProblem(in DistanceResult r, in DistanceResult s, string name, float lowerBound)
     {
-        bool same = r.Status == s.Status && Bits(r.Distance, s.Distance) && Bits(r.LowerBound, s.LowerBound)
+        bool same = r.Status == s.Status && Bits(r.Distance, s.Distance) && Bits(lowerBound, s.LowerBound)
             && Bits(r.PointA, s.PointA) && Bits(r.PointB, s.PointB)
             && Bits(r.Normal, s.Normal) && Bits(r.LocalPointA, s.LocalPointA) && Bits(r.LocalPointB, s.LocalPointB);
         return same
