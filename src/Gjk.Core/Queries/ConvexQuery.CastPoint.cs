@@ -16,9 +16,9 @@ public static partial class ConvexQuery
         result = default;
         Double3 motion = (Double3)translationB - translationA;
         if (IsPoint(ref b))
-            return TryCastPoint(ref a, poseA, translationA, poseB, motion, maxFraction, ref result);
+            return TryCastPoint(ref a, poseA, translationA, poseB, motion, maxFraction, false, ref result);
         if (!IsPoint(ref a)
-            || !TryCastPoint(ref b, poseB, translationB, poseA, -motion, maxFraction, ref result))
+            || !TryCastPoint(ref b, poseB, translationB, poseA, -motion, maxFraction, true, ref result))
         {
             return false;
         }
@@ -31,7 +31,7 @@ public static partial class ConvexQuery
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static bool TryCastPoint<T>(
         ref T shape, in RigidPose pose, Vector3 translation, in RigidPose point, in Double3 motion, float maxFraction,
-        ref CastResult result)
+        bool isPointFirst, ref CastResult result)
         where T : struct, ISupportMap
     {
         double turn = Balls.RotationScale(pose.Rotation), length = motion.Length;
@@ -43,7 +43,8 @@ public static partial class ConvexQuery
             return false;
         }
 
-        if (hit.IsAtSurface && IsInside(ref shape, pose, point.Position)) hit.Status = CastStatus.OverlappingAtStart;
+        if (hit.IsAtSurface && IsInside(ref shape, pose, point, isPointFirst))
+            hit.Status = CastStatus.OverlappingAtStart;
         double fraction = hit.Distance / length;
         if (hit.Status == CastStatus.Hit && CastSolver.IsBeyond(fraction, Math.Max(maxFraction, 0)))
             hit.Status = CastStatus.Miss;

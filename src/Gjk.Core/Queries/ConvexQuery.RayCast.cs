@@ -99,7 +99,7 @@ public static partial class ConvexQuery
         {
             SearchRay(ref shape, pose, line, out hit);
         }
-        else if (hit.IsAtSurface && IsInside(ref shape, pose, (Vector3)line.Origin))
+        else if (hit.IsAtSurface && IsInside(ref shape, pose, new RigidPose((Vector3)line.Origin)))
         {
             hit.Status = CastStatus.OverlappingAtStart;
         }
@@ -135,12 +135,14 @@ public static partial class ConvexQuery
         turn > 0 & line.Length > 0 & line.Length <= PairFrame.MaxMagnitude & line.Reach >= 0
             & line.Origin.SumOfMagnitudes < double.PositiveInfinity & Guard.IsFinite(pose.Position);
 
+    /// <summary>Whether a point touches a shape, as the overlap of the pair in its own order says it: another order
+    /// rounds otherwise.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static bool IsInside<T>(ref T shape, in RigidPose pose, Vector3 point)
+    private static bool IsInside<T>(ref T shape, in RigidPose pose, in RigidPose point, bool isPointFirst = false)
         where T : struct, ISupportMap
     {
         PointShape at = default;
-        return Overlaps(shape, pose, at, new RigidPose(point));
+        return isPointFirst ? Overlaps(at, point, shape, pose) : Overlaps(shape, pose, at, point);
     }
 
     /// <summary>Rays without a closed form: a point is cast along the ray. A ray that begins far away begins anew where

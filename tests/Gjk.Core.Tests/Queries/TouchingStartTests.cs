@@ -225,6 +225,34 @@ public class TouchingStartTests
             (deep.Status, deep.Point, deep.Normal, deep.Depth));
     }
 
+    /// <summary>A point, turned anyhow, within a rounding of a capsule's tip: the cast begins as the overlap of the
+    /// same pair says, in either order.</summary>
+    [Fact]
+    public void ATurnedPointOnATipBeginsAsItsOverlapSays()
+    {
+        int touching = 0;
+        for (int i = 0; i < Budget.Count(4000); i++)
+        {
+            var rng = new Rng((ulong)i);
+            float radius = (16 + rng.Below(240)) / 256f, half = (16 + rng.Below(240)) / 256f;
+            ConvexShape capsule = ConvexShape.Capsule(radius, half), point = ConvexShape.Point();
+            var at = new RigidPose(new Vector3(0, -(radius + half), 0));
+            var tip = new RigidPose(rng.Rotation(), new Vector3(0, rng.Float(0, 4e-15), 0));
+            var away = new Vector3(0, 0.25f, 0);
+            bool isOver = ConvexQuery.Overlaps(point, tip, capsule, at);
+            touching += isOver ? 1 : 0;
+            Check(ConvexQuery.Cast(point, tip, away, capsule, at, default), isOver, i);
+            Check(ConvexQuery.Cast(point, tip, -away, capsule, at, default), isOver, i);
+            isOver = ConvexQuery.Overlaps(capsule, at, point, tip);
+            Check(ConvexQuery.Cast(capsule, at, default, point, tip, -away), isOver, i);
+        }
+
+        Assert.InRange(touching, 1, Budget.Count(4000) - 1);
+
+        static void Check(in CastResult r, bool isOver, int seed) => Assert.True(
+            !isOver || r.Status == CastStatus.Miss || r.Fraction == 0, $"seed {seed}: {r}");
+    }
+
     [Fact]
     public void NothingIsAllocated()
     {
