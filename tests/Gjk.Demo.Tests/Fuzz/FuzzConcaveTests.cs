@@ -87,6 +87,15 @@ public sealed class FuzzConcaveTests
         Assert.True(isNoticed);
     }
 
+    /// <summary>Two cylinders of a compound cross a triangle: of the one's two points the deeper lies in the other,
+    /// which has it.</summary>
+    [Fact]
+    public void APointOfAPartMayBeLeftToAnother()
+    {
+        ConcavePair pair = ConcaveFamilies.Draw(4016, 452_551, out _);
+        Assert.All(ConcavePromises.All, promise => Assert.Null(promise.Broken(pair)));
+    }
+
     [Fact]
     public void TheOraclesWindingIsThatOfABoxAndATorus()
     {

@@ -77,6 +77,7 @@ internal static class ContactsOfParts
             && Vector3.Cross(normal, manifold.Normal).Length() <= Straight
             && Math.Abs(one.Result.Distance - part.Distance) > Beside * size;
         if (!pair.HasSolid && !isThere && manifold.Count > 0 && IsShown(pair, a, b, manifold.Normal)
+            && !IsLeftToOthers(pair, a, b, one.Manifold, manifold)
             && (isElsewhere || !IsHeld(pair, i, found, part.Distance, manifold)))
         {
             return Say.Line($"the parts say {part}, {manifold.Count} points");
@@ -96,6 +97,33 @@ internal static class ContactsOfParts
         }
 
         return null;
+    }
+
+    /// <summary>Whether a contact has the points of the parts' own but for those in other parts of a
+    /// compound.</summary>
+    private static bool IsLeftToOthers(
+        ConcavePair pair, int a, int b, in ContactManifold contact, in ContactManifold own)
+    {
+        if (!contact.Normal.Equals(own.Normal)) return false;
+        for (int k = 0; k < own.Count; k++)
+        {
+            ManifoldPoint point = own[k];
+            bool isKept = false;
+            for (int j = 0; j < contact.Count; j++) isKept |= Same(contact[j], point);
+            if (!isKept && !IsInOther(pair.RawA, pair.PartsA, pair.PoseA, a, point.PointA)
+                && !IsInOther(pair.RawB, pair.PartsB, pair.PoseB, b, point.PointB))
+            {
+                return false;
+            }
+        }
+
+        return true;
+
+        static bool Same(in ManifoldPoint p, in ManifoldPoint q) =>
+            p.PointA.Equals(q.PointA) && p.PointB.Equals(q.PointB);
+
+        static bool IsInOther(RawShape shape, ConvexShape[] parts, RigidPose pose, int part, Vector3 point) =>
+            IsCompound(shape) && Enumerable.Range(0, parts.Length).Any(i => i != part && Off(parts[i], pose, point) == 0);
     }
 
     /// <summary>Whether a direction is that of two parts: from them it was climbed to a corner of others.</summary>
