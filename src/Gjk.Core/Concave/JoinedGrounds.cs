@@ -30,7 +30,6 @@ internal static class JoinedGrounds
     /// scratch.</param>
     public static void FindContacts(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
     {
-        contacts.Clear();
         PartSide own = scratch.A;
         scratch.A = scratch.Grounds[0];
         ConcaveQuery.FindPairContacts(scratch, maxGap, contacts);

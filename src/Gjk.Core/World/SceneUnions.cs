@@ -59,19 +59,7 @@ internal sealed class SceneUnions(SceneObjects objects)
     {
         (int begin, int end) = _bodies[index];
         if (TryKeepAll(begin, end, pairs, answers)) return;
-        var body = (int)(_keys[begin] >> 32);
-        scratch.B.TrySet(objects.Concave[body], objects.Poses[body]);
-        scratch.Pairs.Clear();
-        for (int k = begin; k < end; k++)
-        {
-            var i = (int)(uint)_keys[k];
-            answers.AllFor(i).Clear();
-            answers[i] = new PairContacts(end - begin, PartSide.NoPart, default, default);
-            int slot = pairs[i].A == body ? pairs[i].B : pairs[i].A;
-            Aabb box = objects.Bounds[slot].BoxAt(objects.Poses[slot]);
-            JoinedGrounds.Add(scratch, objects.Concave[slot], objects.Poses[slot], box, i, maxGap);
-        }
-
+        JoinGrounds(begin, end, pairs, answers, maxGap, scratch);
         if (scratch.GroundCount == 1)
         {
             // One alone is not joined.
@@ -82,6 +70,15 @@ internal sealed class SceneUnions(SceneObjects objects)
 
         if (scratch.GroundCount == 0) return;
         JoinedGrounds.FindContacts(scratch, maxGap, scratch.Joined);
+        float deepest = ConcaveQuery.DeepGap(scratch, scratch.Joined, maxGap);
+        if (deepest > maxGap)
+        {
+            JoinGrounds(begin, end, pairs, answers, deepest, scratch);
+            JoinedGrounds.FindContacts(scratch, deepest, scratch.Joined);
+            ConcaveQuery.RemoveBeyond(scratch.Joined, maxGap);
+        }
+
+        var body = (int)(_keys[begin] >> 32);
         foreach (PairContacts one in scratch.Joined)
         {
             int i = scratch.Grounds[one.Pair.A].PairIndex;
@@ -90,6 +87,26 @@ internal sealed class SceneUnions(SceneObjects objects)
         }
 
         scratch.GroundCount = 0;
+    }
+
+    /// <summary>Collects the static objects that a body is near, and its pairs of parts with them.</summary>
+    private void JoinGrounds(
+        int begin, int end, List<ObjectPair> pairs, PairAnswers<PairContacts> answers, float maxGap,
+        ConcaveScratch scratch)
+    {
+        var body = (int)(_keys[begin] >> 32);
+        scratch.B.TrySet(objects.Concave[body], objects.Poses[body]);
+        scratch.Pairs.Clear();
+        scratch.GroundCount = 0;
+        for (int k = begin; k < end; k++)
+        {
+            var i = (int)(uint)_keys[k];
+            answers.AllFor(i).Clear();
+            answers[i] = new PairContacts(end - begin, PartSide.NoPart, default, default);
+            int slot = pairs[i].A == body ? pairs[i].B : pairs[i].A;
+            Aabb box = objects.Bounds[slot].BoxAt(objects.Poses[slot]);
+            JoinedGrounds.Add(scratch, objects.Concave[slot], objects.Poses[slot], box, i, maxGap);
+        }
     }
 
     /// <summary>How many objects are joined in a pair's answer; 0 for a pair that is not joined.</summary>

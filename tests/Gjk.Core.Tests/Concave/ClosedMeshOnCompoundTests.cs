@@ -34,6 +34,69 @@ public class ClosedMeshOnCompoundTests
         Assert.True(feet.Min(foot => foot.Z) < 0.1f && feet.Max(foot => foot.Z) > 0.5f, string.Join(" ", feet));
     }
 
+    /// <summary>Deeper than the gap and than its bevel, and not quite level: the corners of its bottom are in no
+    /// triangle that meets the floor's, and are held all the same, each of them.</summary>
+    [Theory]
+    [InlineData(1e-6f)]
+    [InlineData(1e-4f)]
+    [InlineData(1e-3f)]
+    [InlineData(5e-3f)]
+    public void ATiltedCubeStandsOnFourCorners(float tilt)
+    {
+        foreach (string floor in new[] { "alone", "scene", "field", "solid field", "box", "two fields" })
+        {
+            for (int i = 0; i < 8; i++)
+            {
+                var rng = new Rng((ulong)i);
+                Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitX, tilt)
+                    * Quaternion.CreateFromAxisAngle(Vector3.UnitY, rng.Float(0, 6));
+                float depth = rng.Float(0.02f, 0.1f);
+                var at = new RigidPose(turn, new Vector3(rng.Float(-1, 1), 0.5f - depth, rng.Float(-1, 1)));
+                List<PairContacts> contacts = Contacts(floor, Bevelled(0.5f), at);
+                string what = $"{floor}, {i}: {string.Join("\n", contacts)}";
+                Assert.True(contacts.All(one => one.Manifold.Normal.Y > 0.999f), what);
+                foreach ((int x, int z) in new[] { (1, 1), (1, -1), (-1, 1), (-1, -1) })
+                {
+                    Vector3 corner = at.Position
+                        + Vector3.Transform(new Vector3(0.45f * x, -0.5f, 0.45f * z), at.Rotation);
+                    Assert.True(contacts.Any(one => Nearest(one, corner) < 0.02f), $"{corner}, {what}");
+                }
+            }
+        }
+
+        static float Nearest(PairContacts one, Vector3 corner)
+        {
+            float nearest = float.PositiveInfinity;
+            for (int i = 0; i < one.Manifold.Count; i++)
+                nearest = Math.Min(nearest, (one.Manifold[i].PointB - corner).Length());
+            return nearest;
+        }
+    }
+
+    private List<PairContacts> Contacts(string floor, in AnyShape body, in RigidPose at)
+    {
+        const float Gap = 0.01f;
+        List<PairContacts> contacts = [];
+        if (floor == "scene")
+        {
+            var scene = new CollisionScene();
+            foreach ((int x, int z) in new[] { (1, 1), (1, -1), (-1, 1), (-1, -1) })
+            {
+                AnyShape tile = AnyShape.Solid(ConcaveShapes.Box(new Vector3(1, 0.5f, 1)));
+                scene.Add(tile, new RigidPose(new Vector3(x, -0.5f, z)), new ObjectSettings(isStatic: true));
+            }
+
+            scene.Add(body, at);
+            scene.FindContacts(Gap, contacts);
+            return contacts;
+        }
+
+        AnyShape ground = floor == "alone" ? Solids.FlatField(5, 1, isSolid: false) : Floor(floor);
+        RigidPose pose = floor == "alone" ? new RigidPose(new Vector3(-2, 0, -2)) : s_here;
+        Assert.True(ConcaveQuery.FindContacts(ground, pose, body, at, Gap, _scratch, contacts));
+        return contacts;
+    }
+
     [Theory]
     [MemberData(nameof(Depths))]
     public void ItsWayOutOfTheFloorIsUp(string floor, float depth)
