@@ -111,6 +111,7 @@ public static partial class ConcaveQuery
         scratch.FaceContacts.Clear();
         scratch.Orphans.Clear();
         scratch.Searched = 0;
+        scratch.AtPoint.Clear();
         scratch.AreAnyTouching = false;
         foreach (PairDistance pair in pairs) scratch.AreAnyTouching |= !(pair.Result.Distance > 0);
         for (int i = 0; i < pairs.Count; i++) SeamContacts.Find(scratch, pairs[i], maxGap, contacts);

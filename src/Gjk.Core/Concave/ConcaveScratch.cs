@@ -9,6 +9,7 @@ public sealed class ConcaveScratch
     internal readonly PartHeap Heap = new();
     internal readonly TriangleFilter Filter = new();
     internal readonly PlaneProof Plane = new();
+    internal readonly PairsAtPoint AtPoint = new();
     internal readonly WindingNumber Winding = new();
     internal readonly List<PairDistance> Pairs = [], Near = [];
     internal readonly List<PairContacts> Pushes = [], Joined = [];
@@ -30,6 +31,9 @@ public sealed class ConcaveScratch
 
     /// <summary>Whether any of the pairs overlaps or touches.</summary>
     internal bool AreAnyTouching;
+
+    /// <summary>Whether a piece of A or B is inside the other; valid where no parts touch.</summary>
+    internal bool IsOneInside => A.IsOneInside ??= Containment.TryFind(this, out _);
 
     /// <summary>How many pairs of parts went through the search of faces.</summary>
     internal int Searched;

@@ -21,10 +21,6 @@ internal static class CoveredSides
     /// Pinned by SeamContactTests.</summary>
     private const int MostPlanes = 32;
 
-    /// <summary>Count: up to so many parts each is tested; of more, the tree finds those to test. It changes the time
-    /// only.</summary>
-    private const int FewParts = 16;
-
     /// <summary>A point of a contact on one of the two bodies, in the world.</summary>
     public static Double3 FootOf(in ManifoldPoint point, bool isA, in RigidPose pose) =>
         InWorld(isA ? point.LocalPointA : point.LocalPointB, pose);
@@ -178,31 +174,13 @@ internal static class CoveredSides
         if (side.Mesh is null && side.Compound is null) return GoesOn(side.ConvexPart(0), point, direction, rounding);
         if (JoinedGrounds.IsInside(scratch, side, inWorld, along)) return true;
         ConvexShape room = default;
-        if (side.PartCount <= FewParts)
+        foreach (int part in scratch.AtPoint.FindParts(side, point))
         {
-            for (int part = 0; part < side.PartCount; part++)
-            {
-                if (part == but || IsClear(side, part, point)) continue;
-                if (GoesOn(side.ShapeOf(part, ref room), point, direction, rounding)) return true;
-            }
-
-            return false;
+            if (part == but || IsClear(side, part, point)) continue;
+            if (GoesOn(side.ShapeOf(part, ref room), point, direction, rounding)) return true;
         }
 
-        ConcaveScratch near = scratch.Rent();
-        ConcaveQuery.FindPairsWithin(
-            side.Mesh is not null ? AnyShape.Surface(side.Mesh) : AnyShape.Of(side.Compound!), RigidPose.Identity,
-            AnyShape.Of(ConvexShape.Point()), new RigidPose((Vector3)point),
-            (float)(2 * (Room * (side.Tree.Radius + point.Length) + rounding)), near, near.Pairs);
-        bool goesOn = false;
-        for (int i = 0; i < near.Pairs.Count && !goesOn; i++)
-        {
-            int part = near.Pairs[i].PartA;
-            goesOn = part != but && GoesOn(side.ShapeOf(part, ref room), point, direction, rounding);
-        }
-
-        scratch.Return(near);
-        return goesOn;
+        return false;
     }
 
     /// <summary>Whether a shape holds a point of its frame and reaches beyond it.</summary>

@@ -83,6 +83,7 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
         Double3 world = mesh.ToWorldDirection(face);
         bool isLed = TryClimb(other, part, -world, out int corner);
         TipContact led = isLed ? new TipContact(mesh, triangle, other, corner, face) : tip;
+        if (_own.Result.Distance > 0 && !(isLed && led.IsOver) && tip.IsBeside(shape)) return;
         ContactFit tipFit = SeamContacts.Judge(other, part, -world);
         bool isShown = tipFit == ContactFit.Stays
             && !JoinedGrounds.GoesOn(scratch, other, part, tip.TipInWorld, -world);
@@ -193,7 +194,7 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
         PairContacts made = DeepestPoint.MakeContact(partA, partB, manifold, _own);
         double behind = -made.Result.Distance - ContactCone.Slack * DeepestPoint.CoordinateSum(made.Result);
         bool isBehind = _own.Result.Distance > 0 && behind > 0;
-        if (isBehind && (behind > 2 * _maxGap || !(scratch.AreAnyTouching || Containment.TryFind(scratch, out _))))
+        if (isBehind && (behind > 2 * _maxGap || !(scratch.AreAnyTouching || scratch.IsOneInside)))
             return;
         if (_best.IsThere && _bestTip >= tip) return;
         (_best, _bestTip) = (new(made, _own, isOfA), tip);

@@ -25,7 +25,7 @@ internal static class FlushSides
     public static Double3 JustBeyond(in Double3 point, in Double3 outward, double size) =>
         point + outward * StepAt(point, size);
 
-    private static double StepAt(in Double3 point, double size) =>
+    public static double StepAt(in Double3 point, double size) =>
         CoveredSides.Beyond * (CoveredSides.Room * size + CoveredSides.RoundingAt(point));
 
     /// <summary>Adds the plane in which the union ends near a witness, if all of the union ends there.</summary>

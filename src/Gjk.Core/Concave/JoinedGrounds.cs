@@ -64,8 +64,7 @@ internal static class JoinedGrounds
             PartSide of = scratch.SideOf(i, isA);
             if (of != side && !of.MayHold(world)) continue;
             Double3 local = of == side ? point : of.ToLocal(world);
-            (int begin, int end) = scratch.PairsOf(i);
-            for (int k = begin; k < end; k++)
+            foreach (int k in scratch.AtPoint.Find(scratch, i, isA, PairsAtPoint.AnyPart, local))
             {
                 PairDistance near = scratch.Pairs[k];
                 if (CoveredSides.IsOn(of.ShapeOf(isA ? near.PartA : near.PartB, ref room), local)) return true;

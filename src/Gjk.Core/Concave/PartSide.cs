@@ -40,6 +40,9 @@ internal sealed class PartSide
     /// <summary>Whether a part may lie inside its own body.</summary>
     public bool MayHoldParts => IsSolid || HasJoints;
 
+    /// <summary>Of A: what <see cref="ConcaveScratch.IsOneInside"/> has found; null before that.</summary>
+    public bool? IsOneInside;
+
     /// <summary>World units: how far the parts reach beyond their boxes.</summary>
     public double Margin;
 
@@ -100,6 +103,7 @@ internal sealed class PartSide
         Insides = shape.Insides;
         Margin = 0;
         IsJoined = false;
+        IsOneInside = null;
         Tree = Mesh?.Tree ?? Compound?.Tree ?? _single;
         if (!IsConvex) return true;
         _convex = AnyShape.ConvexOf(shape);

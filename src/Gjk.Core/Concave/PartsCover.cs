@@ -4,6 +4,11 @@ namespace Gjk.Core;
 /// body. Whatever covers the contact is as near, so it is among them.</summary>
 internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairContacts contact)
 {
+    /// <summary>Count of steps from a witness to the point beyond it: the union's end is looked for so near, and then
+    /// further and further. What is not near is more than half as far from that point, with 4 or more. More costs time
+    /// only.</summary>
+    private const double NearSteps = 8;
+
     private readonly ObjectPair _pair = contact.Pair;
     private readonly int _other = contact.PartOf(!isA);
     private readonly Vector3 _witness = isA ? contact.Result.LocalPointA : contact.Result.LocalPointB;
@@ -44,12 +49,11 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
             if (side.IsJoined && !side.MayHold(point)) continue;
             if (i != _pair.A && JoinedGrounds.IsInside(scratch, side, point, direction)) return true;
             Double3 local = side.ToLocal(point), along = side.ToLocalDirection(direction);
-            (int begin, int end) = scratch.PairsOf(i);
-            for (int k = begin; k < end; k++)
+            foreach (int k in scratch.AtPoint.Find(scratch, i, isA, _other, local))
             {
                 PairDistance near = scratch.Pairs[k];
+                if (IsOwn(near, side, isJoint)) continue;
                 int part = isA ? near.PartA : near.PartB;
-                if (!IsBeside(near, side, isJoint) || CoveredSides.IsClear(side, part, local)) continue;
                 if (CoveredSides.GoesOn(side.ShapeOf(part, ref room), local, along, side.Rounding)) return true;
             }
         }
@@ -62,13 +66,10 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
     public bool GoesOnAfar(in Double3 point, in Double3 direction) =>
         JoinedGrounds.GoesOn(scratch, Side, Own, point, direction);
 
-    /// <summary>Whether a pair is of another part of the body and the same one of the other body.</summary>
-    private bool IsBeside(in PairDistance near, PartSide side, bool isJoint)
-    {
-        bool isOne = near.Pair.A == _pair.A;
-        if (!isA) return isOne && near.PartB != Own && near.PartA == _other;
-        return near.PartB == _other && !(isOne && (near.PartA == Own || (isJoint && side.Mesh is not null)));
-    }
+    /// <summary>Whether a pair is of the contact's part, or of its mesh where that does not count.</summary>
+    private bool IsOwn(in PairDistance near, PartSide side, bool isJoint) => isA
+        ? near.Pair.A == _pair.A && (near.PartA == Own || (isJoint && side.Mesh is not null))
+        : near.PartB == Own;
 
     /// <summary>Whether the body holds a point of the world.</summary>
     public bool Holds(in Double3 point)
@@ -81,7 +82,20 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
     /// way out where that point is inside.</summary>
     public OpenPlane FindEnd()
     {
+        OpenPlane end;
+        for (double steps = NearSteps; !TryFindEnd(steps, out end); steps *= steps) { }
+        return end;
+    }
+
+    /// <summary>Finds the plane among the parts that are near the witness.</summary>
+    /// <param name="steps">How many steps from the witness to the point beyond it count as near; infinite for
+    /// all.</param>
+    /// <param name="end">The plane; none where no part is near.</param>
+    /// <returns>False where a part that is not near may end nearer.</returns>
+    private bool TryFindEnd(double steps, out OpenPlane end)
+    {
         Double3 witness = Witness;
+        double sure = double.PositiveInfinity;
         var shape = ConvexShape.Point();
         DistanceResult least = default;
         ConvexShape room = default;
@@ -89,11 +103,14 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         {
             PartSide side = scratch.SideOf(i, isA);
             if (side.IsJoined && !side.MayHold(witness)) continue;
-            (int begin, int end) = scratch.PairsOf(i);
-            for (int k = begin; k < end; k++)
+            Double3 local = side.ToLocal(witness);
+            double step = FlushSides.StepAt(witness, (local - side.Tree.Origin).Length + side.Tree.Radius);
+            double gap = PairsAtPoint.AreFew(scratch, i) ? double.PositiveInfinity : steps * step;
+            sure = Math.Min(sure, gap / 2);
+            foreach (int k in scratch.AtPoint.Find(scratch, i, isA, _other, local, gap))
             {
                 PairDistance near = scratch.Pairs[k];
-                if (!IsBeside(near, side, true)) continue;
+                if (IsOwn(near, side, true)) continue;
                 int part = isA ? near.PartA : near.PartB;
                 Double3 point = FlushSides.PointBeside(witness, Outward, side.MiddleOfPart(part));
                 bool isAny = least.Status != GjkStatus.None;
@@ -109,7 +126,8 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
             }
         }
 
-        return new OpenPlane(least.PointA, least.Normal, 0);
+        end = new OpenPlane(least.PointA, least.Normal, 0);
+        return double.IsInfinity(sure) || (least.Status != GjkStatus.None && least.Distance <= sure);
     }
 
     /// <summary>A line along the contact's normal. A part that it crosses it leaves across its end, and not through the

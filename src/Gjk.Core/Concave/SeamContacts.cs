@@ -11,7 +11,7 @@ internal static class SeamContacts
 
     /// <summary>Ratio to a part's radius: a part further beside a triangle is beside it in spite of rounding. More
     /// costs time only; at a quarter, contacts are lost, as FarContactTests shows.</summary>
-    private const double Beside = 1.125;
+    public const double Beside = 1.125;
 
     /// <summary>Finds the contact of two parts, or what may stand for it.</summary>
     /// <param name="scratch">With both sides and all pairs; gets the contacts of faces, and the orphans: pairs that

@@ -47,6 +47,11 @@ internal readonly ref struct TipContact
     /// <summary>Whether the tip is over the triangle, or under it.</summary>
     public bool IsOver => _column.Holds(_tip);
 
+    /// <summary>Whether a part of the other side is wholly beside the triangle, in spite of rounding. The face meets
+    /// no point of it then.</summary>
+    public bool IsBeside(in ConvexShape shape) =>
+        _column.IsBeside(InMesh(shape.Center), SeamContacts.Beside * shape.BoundingRadius);
+
     /// <summary>The tip in the world.</summary>
     public Double3 TipInWorld => _mesh.ToWorld(_tip);
 

@@ -25,6 +25,45 @@ public class FarContactTests
         }
     }
 
+    /// <summary>All parts are paired, so each pair that looked at all others would look at thousands.</summary>
+    [Theory]
+    [InlineData(4, true)]
+    [InlineData(8, true)]
+    [InlineData(4, false)]
+    [InlineData(8, false)]
+    public void WorkGrowsWithThePairsAndNotWithTheirSquare(int tiles, bool isScene)
+    {
+        var parts = new List<CompoundPart>();
+        for (int i = 0; i < tiles * tiles; i++)
+        {
+            var at = new RigidPose(new Vector3(i / tiles, -0.5f, i % tiles));
+            parts.Add(new(AnyShape.Solid(Solids.Box(new Vector3(-0.5f), new Vector3(0.5f))), at));
+        }
+
+        AnyShape body = AnyShape.Solid(Solids.Box(new Vector3(-0.4f), new Vector3(0.4f)));
+        var over = new RigidPose(new Vector3(1.6f, 0.39f, 1.7f));
+        if (isScene)
+        {
+            _scratch.B.TrySet(body, over);
+            foreach (CompoundPart part in parts)
+            {
+                var box = new Aabb(part.Pose.Position - new Vector3(0.5f), part.Pose.Position + new Vector3(0.5f));
+                JoinedGrounds.Add(_scratch, part.Shape, part.Pose, box, 0, float.PositiveInfinity);
+            }
+
+            JoinedGrounds.FindContacts(_scratch, float.PositiveInfinity, _contacts);
+        }
+        else
+        {
+            Assert.True(ConcaveQuery.FindContacts(
+                AnyShape.Of(new CompoundShape(parts)), RigidPose.Identity, body, over, float.PositiveInfinity,
+                _scratch, _contacts));
+        }
+
+        Assert.Equal(144 * tiles * tiles, _scratch.Pairs.Count);
+        Assert.InRange(_scratch.AtPoint.Looks / _scratch.Pairs.Count, 1, 64);
+    }
+
     /// <summary>The counts are those where no pair is passed over.</summary>
     [Theory]
     [InlineData("box", 576)]

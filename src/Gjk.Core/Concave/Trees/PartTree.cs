@@ -108,6 +108,36 @@ internal sealed class PartTree
         return reach;
     }
 
+    /// <summary>Lists the parts whose leaves' boxes may be within a distance of a point.</summary>
+    /// <param name="node">Those below a node.</param>
+    /// <param name="point">In tree units, from the origin.</param>
+    /// <param name="distance">In tree units.</param>
+    /// <param name="parts">Gets the parts.</param>
+    public void FindNear(int node, in Double3 point, double distance, List<int> parts)
+    {
+        for (int lane = node * Lanes; lane < (node + 1) * Lanes; lane++)
+        {
+            int child = Children[lane];
+            if (child == Empty || IsBeyond(At(lane), point, distance)) continue;
+            if (child >= 0) FindNear(child, point, distance, parts);
+            else for (int i = 0; i < CountOf(child); i++) parts.Add(Order[FirstOf(child) + i]);
+        }
+    }
+
+    /// <summary>Whether a box is further from a point than a distance, for certain.</summary>
+    private bool IsBeyond(int at, in Double3 point, double distance)
+    {
+        Double3 to = Read(at) - point;
+        double room = distance + Skew * (distance + to.SumOfMagnitudes);
+        for (int i = 0; i < 3; i++)
+        {
+            double along = Double3.Dot(Read(at + Axes + 3 * i * Lanes), to);
+            if (Math.Abs(along) - Boxes[at + Halves + i * Lanes] > room) return true;
+        }
+
+        return false;
+    }
+
     /// <summary>A leaf with so many parts, from the first.</summary>
     public static int Leaf(int first, int count) => ~(first * Lanes + count);
 
