@@ -158,7 +158,7 @@ internal static class CoveredSides
 
     /// <summary>Whether a point of a shape's frame is in it, or on it but for rounding.</summary>
     public static bool IsOn(in ConvexShape shape, in Double3 point) =>
-        IsWithin(shape, point, Room * point.SumOfMagnitudes);
+        IsWithin(shape, point, Room * (shape.BoundingRadius + point.SumOfMagnitudes));
 
     /// <summary>A point of another body, and the point opposite it on the plane through a part's furthest
     /// point.</summary>
