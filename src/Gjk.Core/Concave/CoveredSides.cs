@@ -139,7 +139,9 @@ internal static class CoveredSides
         tip = point.Gap;
         bool isAny = manifold.Count > 0;
         if (isAny && FaceSearch.IsAsDeep(manifold, tip, share: 0)) return true;
-        if (!(tip <= Math.Max(maxGap, 0)) || !IsOn(isA ? a : b, point.LocalPointA)) return isAny;
+        ref readonly ConvexShape own = ref isA ? ref a : ref b;
+        double room = Room * (own.BoundingRadius + ((Double3)point.LocalPointA).SumOfMagnitudes);
+        if (!(tip <= Math.Max(maxGap, 0)) || !IsWithin(own, point.LocalPointA, room)) return isAny;
         manifold.Begin((Vector3)(isA ? way : -way));
         manifold.Add(isA ? point : point.Swapped);
         return true;
@@ -158,7 +160,7 @@ internal static class CoveredSides
 
     /// <summary>Whether a point of a shape's frame is in it, or on it but for rounding.</summary>
     public static bool IsOn(in ConvexShape shape, in Double3 point) =>
-        IsWithin(shape, point, Room * (shape.BoundingRadius + point.SumOfMagnitudes));
+        IsWithin(shape, point, Room * point.SumOfMagnitudes);
 
     /// <summary>A point of another body, and the point opposite it on the plane through a part's furthest
     /// point.</summary>
