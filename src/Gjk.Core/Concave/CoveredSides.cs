@@ -137,11 +137,9 @@ internal static class CoveredSides
         ConvexQuery.ContactsAlong(a, poseA, b, poseB, isA ? way : -way, maxGap, ref plane, out manifold);
         ManifoldPoint point = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
         tip = point.Gap;
-        bool isAny = manifold.Count > 0;
-        if (isAny && FaceSearch.IsAsDeep(manifold, tip, share: 0)) return true;
-        ref readonly ConvexShape own = ref isA ? ref a : ref b;
-        double room = Room * (own.BoundingRadius + ((Double3)point.LocalPointA).SumOfMagnitudes);
-        if (!(tip <= Math.Max(maxGap, 0)) || !IsWithin(own, point.LocalPointA, room)) return isAny;
+        if (manifold.Count > 0 && FaceSearch.IsAsDeep(manifold, tip, share: 0)) return true;
+        double room = Room * ((isA ? a : b).BoundingRadius + ((Double3)point.LocalPointA).SumOfMagnitudes);
+        if (!(tip <= Math.Max(maxGap, 0)) || !IsWithin(isA ? a : b, point.LocalPointA, room)) return manifold.Count > 0;
         manifold.Begin((Vector3)(isA ? way : -way));
         manifold.Add(isA ? point : point.Swapped);
         return true;
