@@ -108,8 +108,8 @@ internal static class CoveredSides
         return true;
     }
 
-    /// <summary>The points of two parts along another way than their own. If there are none, it is the other part's
-    /// tip, where that is over the side's part.</summary>
+    /// <summary>The points of two parts along another way than their own. If none is as deep as the other part's tip,
+    /// as at a steep edge, it is the tip, where that is over the side's part.</summary>
     /// <param name="scratch">With both bodies.</param>
     /// <param name="isA">Whether the side is of A.</param>
     /// <param name="contact">The two parts.</param>
@@ -133,8 +133,9 @@ internal static class CoveredSides
         ConvexQuery.ContactsAlong(a, poseA, b, poseB, isA ? way : -way, maxGap, ref plane, out manifold);
         ManifoldPoint point = isA ? Tip(a, poseA, b, poseB, way) : Tip(b, poseB, a, poseA, way);
         tip = point.Gap;
-        if (manifold.Count > 0) return true;
-        if (!(tip <= Math.Max(maxGap, 0)) || !IsOn(isA ? a : b, point.LocalPointA)) return false;
+        if (manifold.Count > 0 && FaceSearch.IsAsDeep(manifold, tip, share: 0)) return true;
+        double room = Room * ((isA ? a : b).BoundingRadius + ((Double3)point.LocalPointA).SumOfMagnitudes);
+        if (!(tip <= Math.Max(maxGap, 0)) || !IsWithin(isA ? a : b, point.LocalPointA, room)) return manifold.Count > 0;
         manifold.Begin((Vector3)(isA ? way : -way));
         manifold.Add(isA ? point : point.Swapped);
         return true;

@@ -108,7 +108,7 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
             }
         }
 
-        if (along.Count == 0 && tip.IsOver) along = tip.Manifold(isOfA);
+        if (tip.IsOver && (along.Count == 0 || !IsAsDeep(along, tip.Gap, share: 0))) along = tip.Manifold(isOfA);
         int ledA = isOfA ? triangle : corner / 3, ledB = isOfA ? corner / 3 : triangle;
         if (isShown && along.Count > 0) KeepShallowest(_own.PartA, _own.PartB, along, isOfA, tip.Gap);
         else if (isLed && !isShown && led.IsOver) KeepShallowest(ledA, ledB, led.Manifold(isOfA), isOfA, led.Gap);

@@ -70,7 +70,7 @@ internal static class FlushSides
         {
             bool isOther = Double3.Dot(plane.Normal, outward) >= -CoveredSides.Room
                 && (plane.Normal - outward).SumOfMagnitudes > CoveredSides.Room;
-            if (!isOther || !IsFlush(own, side, plane)) continue;
+            if (!isOther || !IsFlush(own, cover, plane)) continue;
             PairContacts found = one;
             bool isThere = TryAlong(scratch, ref found, maxGap, plane.Normal, cover);
             if (isThere && (best.Manifold.Count == 0 || found.Result.Distance > best.Result.Distance)) best = found;
@@ -142,20 +142,23 @@ internal static class FlushSides
         return turn.Rotate(own.Center + most) + pose.Position + direction * own.Margin;
     }
 
-    /// <summary>Whether a part ends in a plane.</summary>
-    private static bool IsFlush(in ConvexShape own, PartSide side, in OpenPlane plane)
+    /// <summary>Whether a part shows a face in a direction of the world. A triangle also ends at its edges, but is no
+    /// wall there; one of a solid shows its face outward only.</summary>
+    public static bool ShowsFace(PartSide side, int part, in Double3 direction)
     {
-        RigidPose pose = side.Pose;
+        if (!side.IsTriangle(part)) return true;
+        Double3 face = side.ToWorldDirection(ContactCone.NormalOf(side, part));
+        if (side.OutwardOf(part) == 0 && Double3.Dot(face, direction) < 0) face = -face;
+        return (face - direction).SumOfMagnitudes <= CoveredSides.Room;
+    }
 
-        // A triangle also ends at its edges, but is no wall there.
-        if (own.Kind == ShapeKind.Triangle
-            && MetFeatures.Of(own, pose, (Vector3)plane.Normal, out _) != MetFeature.Face)
-        {
-            return false;
-        }
-
-        Double3 to = Furthest(own, pose, plane.Normal) - plane.Foot;
-        return Math.Abs(Double3.Dot(to, plane.Normal)) <= CoveredSides.RoomOf(plane.Foot, to, side);
+    /// <summary>Whether a part ends in a plane.</summary>
+    private static bool IsFlush(in ConvexShape own, in PartsCover cover, in OpenPlane plane)
+    {
+        if (!ShowsFace(cover.Side, cover.Own, plane.Normal)) return false;
+        Double3 to = Furthest(own, cover.Side.Pose, plane.Normal) - plane.Foot;
+        double room = CoveredSides.Room * own.BoundingRadius + CoveredSides.RoomOf(plane.Foot, to, cover.Side);
+        return Math.Abs(Double3.Dot(to, plane.Normal)) <= room;
     }
 
     /// <summary>The direction against the face that a part shows, if that is close to the given direction; else

@@ -98,6 +98,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
         double sure = double.PositiveInfinity;
         var shape = ConvexShape.Point();
         DistanceResult least = default;
+        Double3 foot = default;
         ConvexShape room = default;
         for (int i = FirstGround; i < EndGround; i++)
         {
@@ -121,12 +122,15 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
                 DistanceResult found = ConvexQuery.Distance(beside, side.Pose, shape, pose);
                 if (found.Distance == 0)
                     found = ConvexQuery.SignedDistance(beside, side.Pose, LineAlong(beside.BoundingRadius), pose);
-                if (SeamContacts.Judge(side, part, found.Normal) != ContactFit.Stays) continue;
-                if (!isAny || found.Distance < least.Distance) least = found;
+                if (!FlushSides.ShowsFace(side, part, found.Normal) || (isAny && found.Distance >= least.Distance))
+                    continue;
+
+                // The point in the world is rounded by more than parts near their compound's origin may differ.
+                (least, foot) = (found, side.ToWorld(found.LocalPointA));
             }
         }
 
-        end = new OpenPlane(least.PointA, least.Normal, 0);
+        end = new OpenPlane(foot, least.Normal, 0);
         return double.IsInfinity(sure) || (least.Status != GjkStatus.None && least.Distance <= sure);
     }
 
