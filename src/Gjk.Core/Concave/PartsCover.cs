@@ -83,7 +83,7 @@ internal readonly struct PartsCover(ConcaveScratch scratch, bool isA, in PairCon
     public OpenPlane FindEnd()
     {
         OpenPlane end;
-        for (double steps = NearSteps; !TryFindEnd(steps, out end); steps *= steps) { }
+        for (double steps = NearSteps; !TryFindEnd(steps, out end) && !double.IsInfinity(steps); steps *= steps) { }
         return end;
     }
 
