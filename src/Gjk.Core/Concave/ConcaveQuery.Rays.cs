@@ -13,18 +13,18 @@ public static partial class ConcaveQuery
     /// <param name="options">Which contacts are passed, of each part; by default none.</param>
     /// <param name="sides">Which sides are met, of each part; by default both, and solids are solid.</param>
     /// <returns>The least distance over all parts, with the result that <c>ConvexQuery.RayCast</c> has for the part; of
-    /// equal distances one that overlaps at the start, then the least number. From inside a solid: OverlappingAtStart,
-    /// unless shallow contacts are passed; from on its surface into it: a hit at 0. Invalid input, or a scratch that is
-    /// null, gives <see cref="CastStatus.InvalidInput"/>. From inside a hollow solid: the first triangle met; of a
-    /// hollow compound each part is hollow. From inside several solids and parts of a compound: out of the
-    /// deepest.</returns>
+    /// equal distances one that overlaps at the start, then one whose side no other part covers, then the least number.
+    /// From inside a solid: OverlappingAtStart, unless shallow contacts are passed; from on its surface into it: a hit
+    /// at 0. Invalid input, or a scratch that is null, gives <see cref="CastStatus.InvalidInput"/>. From inside a
+    /// hollow solid: the first triangle met; of a hollow compound each part is hollow. From inside several solids and
+    /// parts of a compound: out of the deepest.</returns>
     public static RayHit RayCast(
         in AnyShape shape, in RigidPose pose, Vector3 origin, Vector3 direction, ConcaveScratch scratch,
         float maxDistance = float.PositiveInfinity, in CastOptions options = default, RaySides sides = RaySides.Both)
     {
         if (!TrySetRay(shape, pose, origin, direction, scratch, maxDistance, options, sides))
             return new RayHit(RayCastResult.Nothing(CastStatus.InvalidInput, float.NaN, 0));
-        PartCastSearch.Run(scratch);
+        FindFirst(scratch);
         RayHit found = ToRayHit(scratch, maxDistance);
         bool isUnit = scratch.A.IsUnit, isStart = found.Status == CastStatus.OverlappingAtStart;
         if (scratch.A.HasInside && !options.PassesShallow && !(isUnit && isStart) && BeginsInOrOn(scratch))
@@ -68,6 +68,17 @@ public static partial class ConcaveQuery
         }
 
         return found;
+    }
+
+    /// <summary>Finds what a ray meets first. Where it meets several parts at once, as on a seam between tiles, a side
+    /// that another part covers is none that it meets.</summary>
+    private static void FindFirst(ConcaveScratch scratch)
+    {
+        ref PartCastSearch search = ref scratch.CastSearch;
+        PartCastSearch.Run(scratch);
+        int first = search.PartA;
+        SimultaneousHits.KeepSeparating(scratch, search.Motion);
+        if (search.PartA != first) search.Ray = PartQuery.RayCast(scratch.A, search.PartA, search.Motion, search.Sides);
     }
 
     private static RayHit ToRayHit(ConcaveScratch scratch, float maxDistance)

@@ -97,9 +97,10 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
             ContactManifold level = other.HasJoints
                 ? FlushSides.ShownPoints(along, -world, new PartsCover(scratch, !isOfA, _own), isFar: true)
                 : along;
-            // A solid that is deeper than a gap may be is pushed by its tip, so that all of it gets out.
-            bool isDeeper = level.Count > 0 && isLed && ((led.IsOver && !IsAsDeep(level, led.Gap))
-                || (other.IsSolid && led.Gap < -2 * _maxGap));
+            // A solid that is deeper than a gap may be is pushed by its tip, so that all of it gets out; but a level
+            // face keeps its own points, on which it stands.
+            bool isDeeper = level.Count > 0 && isLed && !IsLevel(other, part, world)
+                && ((led.IsOver && !IsAsDeep(level, led.Gap)) || (other.IsSolid && led.Gap < -2 * _maxGap));
             if (level.Count > 0 && !isDeeper)
             {
                 KeepShallowest(_own.PartA, _own.PartB, level, isOfA, led.Gap);
@@ -143,9 +144,11 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
 
     /// <summary>Whether the other body's part may be pushed along a face to which it leans: along the larger body's
     /// face, or where the two faces are level.</summary>
-    private static bool MayLean(PartSide mesh, PartSide other, int part, in ConvexShape shape, in Double3 face)
+    private static bool MayLean(PartSide mesh, PartSide other, int part, in ConvexShape shape, in Double3 face) =>
+        IsLarger(mesh, other, shape) || (!other.IsJoined && IsLevel(other, part, face));
+
+    private static bool IsLevel(PartSide other, int part, in Double3 face)
     {
-        if (IsLarger(mesh, other, shape)) return true;
         if (other.Mesh is null) return false;
         Double3 across = other.ToWorldDirection(ContactCone.NormalOf(other, part));
         return Double3.Cross(across, face).Length <= Level;

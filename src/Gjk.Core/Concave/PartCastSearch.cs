@@ -70,6 +70,9 @@ internal struct PartCastSearch
     /// <summary>How many pairs of parts were cast, and how many pieces and distances of the bodies.</summary>
     public int QueryCount, Steps;
 
+    /// <summary>The motion, or the ray.</summary>
+    public readonly PartMotion Motion => _motion;
+
     /// <summary>World units per fraction: the fastest that any distance closes.</summary>
     public readonly double Speed => _length;
 
@@ -218,8 +221,6 @@ internal struct PartCastSearch
     public void CastParts(ConcaveScratch scratch, int partA, int partB)
     {
         QueryCount++;
-        ConvexShape roomA = default, roomB = default;
-        ref readonly ConvexShape a = ref scratch.A.ShapeOf(partA, ref roomA);
 
         // Which contacts are passed depends on the whole way; so does where an impact's steps end.
         bool isImpact = _motion.Kind == MotionKind.Impact;
@@ -229,14 +230,14 @@ internal struct PartCastSearch
         var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
         if (_motion.Kind == MotionKind.Ray)
         {
-            RayCastResult met = ConvexQuery.RayCast(
-                a, _motion.A.Pose, _motion.B.Pose.Position, _motion.B.Velocity, most, _motion.Options, Sides);
-            TriangleBack.ApplySides(scratch.A, partA, _motion.B.Velocity, Sides, ref met);
+            RayCastResult met = PartQuery.RayCast(scratch.A, partA, _motion, Sides, most);
             if (CollectedRays is not null && met.IsHit) CollectedRays.Add(new RayHit(met, scratch.A.NumberOf(partA)));
-            else if (met.IsHit && KeepIfFirst(met.Order, MetFeature.None, partA, partB)) Ray = met;
+            else if (met.IsHit && KeepMet(scratch, new CastHit(met.ToCast(), partA, partB, MetFeature.None))) Ray = met;
             return;
         }
 
+        ConvexShape roomA = default, roomB = default;
+        ref readonly ConvexShape a = ref scratch.A.ShapeOf(partA, ref roomA);
         ref readonly ConvexShape b = ref scratch.B.ShapeOf(partB, ref roomB);
         if (isImpact && !double.IsInfinity(_to) && ConvexQuery.StaysApart(
             a, _motion.A, b, _motion.B, _motion.Tolerance, (float)_maxFraction, _from, _to)) return;
@@ -259,13 +260,21 @@ internal struct PartCastSearch
         else KeepMet(scratch, new CastHit(found, partA, partB, feature));
     }
 
-    /// <summary>Keeps a contact among those that are met at the same fraction.</summary>
-    private void KeepMet(ConcaveScratch scratch, in CastHit hit)
+    /// <summary>Keeps a contact among those that are met at the same fraction, and as the first if it comes before the
+    /// best one.</summary>
+    private bool KeepMet(ConcaveScratch scratch, in CastHit hit)
     {
-        int order = PartA < 0 ? -1 : hit.Result.Order.CompareTo(_best);
+        ContactOrder found = hit.Result.Order;
+        int order = PartA < 0 ? -1 : found.CompareTo(_best);
         if (order < 0) scratch.Met.Clear();
         if (order <= 0) scratch.Met.Add(hit);
-        if (KeepIfFirst(hit.Result.Order, hit.Feature, hit.PartA, hit.PartB)) Cast = hit.Result;
+        if (order == 0) order = (int)hit.Feature - (int)Feature;
+        if (order == 0) order = hit.PartA.CompareTo(PartA);
+        if (order == 0) order = hit.PartB.CompareTo(PartB);
+        if (order >= 0) return false;
+        (_best, Cast, Feature, PartA, PartB) = (found, hit.Result, hit.Feature, hit.PartA, hit.PartB);
+        SetReached(found.Solved);
+        return true;
     }
 
     /// <summary>Sets the plane of two parts that are apart at the start. Where many parts pass closely, the boxes'
@@ -284,17 +293,4 @@ internal struct PartCastSearch
         _motion.Kind == MotionKind.Cast
             ? ConvexQuery.Cast(a, _motion.A.Pose, _motion.A.Velocity, b, motionB.Pose, motionB.Velocity, most, options)
             : ConvexQuery.TimeOfImpact(a, _motion.A, b, motionB, _motion.Tolerance, most, options);
-
-    /// <summary>Keeps a contact if it comes before the best one.</summary>
-    private bool KeepIfFirst(in ContactOrder found, MetFeature feature, int partA, int partB)
-    {
-        int order = PartA < 0 ? -1 : found.CompareTo(_best);
-        if (order == 0) order = (int)feature - (int)Feature;
-        if (order == 0) order = partA.CompareTo(PartA);
-        if (order == 0) order = partB.CompareTo(PartB);
-        if (order >= 0) return false;
-        (_best, Feature, PartA, PartB) = (found, feature, partA, partB);
-        SetReached(found.Solved);
-        return true;
-    }
 }

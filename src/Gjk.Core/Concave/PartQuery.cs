@@ -33,6 +33,22 @@ internal static class PartQuery
         return result;
     }
 
+    /// <summary>Where a ray meets a part.</summary>
+    /// <param name="side">The side.</param>
+    /// <param name="part">The part's number.</param>
+    /// <param name="ray">The ray, as the motion of a point from B's pose.</param>
+    /// <param name="sides">Which sides are met.</param>
+    /// <param name="most">How far it reaches.</param>
+    public static RayCastResult RayCast(
+        PartSide side, int part, in PartMotion ray, RaySides sides, float most = float.PositiveInfinity)
+    {
+        ConvexShape room = default;
+        RayCastResult met = ConvexQuery.RayCast(
+            side.ShapeOf(part, ref room), ray.A.Pose, ray.B.Pose.Position, ray.B.Velocity, most, ray.Options, sides);
+        TriangleBack.ApplySides(side, part, ray.B.Velocity, sides, ref met);
+        return met;
+    }
+
     private static DistanceResult ShapeDistance(PartSide a, int partA, PartSide b, int partB, float maxDistance)
     {
         ConvexShape roomA = default, roomB = default;

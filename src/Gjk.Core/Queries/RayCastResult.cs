@@ -51,6 +51,9 @@ public readonly struct RayCastResult
     /// <summary>By what it is compared with other contacts of the ray.</summary>
     internal ContactOrder Order => new(_solved, Status, Depth);
 
+    /// <summary>The same of a point that is cast by a unit of length for each fraction of 1.</summary>
+    internal CastResult ToCast() => new(Status, _solved, Point, Normal, Iterations, Depth);
+
     /// <summary>The same where the ray leaves, with the opposite normal.</summary>
     internal RayCastResult Exit => new(Status, _solved, Point, Opposite.Of(Normal), Iterations, Depth, true);
 

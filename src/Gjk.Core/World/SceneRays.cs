@@ -28,11 +28,27 @@ internal struct FirstRayHit(
     {
         if (!found.Result.MayHit) return;
         RayHit hit = found.WithId(id);
-        if (Hit.Id >= 0 && hit.CompareTo(Hit) > 0) return;
+        if (Hit.Id >= 0 && !IsBefore(hit, Hit)) return;
         Hit = hit;
 
         // Twice: the distance and the fraction are rounded on different scales.
         _limit = SweptBox.After(SweptBox.After(found.Distance) / _length);
+    }
+
+    /// <summary>By the distance; of objects that are met at once, as on a seam between tiles, one whose side the other
+    /// does not cover; then by the object.</summary>
+    private readonly bool IsBefore(in RayHit one, in RayHit other)
+    {
+        bool isAtOnce = one.Result.Order.CompareTo(other.Result.Order) == 0;
+        bool isCovered = isAtOnce && Covers(other, one);
+        return isAtOnce && isCovered != Covers(one, other) ? !isCovered : one.CompareTo(other) < 0;
+    }
+
+    private readonly bool Covers(in RayHit other, in RayHit one)
+    {
+        int slot = objects.SlotOf(other.Id);
+        return slot >= 0 && one.Status == CastStatus.Hit && SimultaneousHits.Covers(
+            objects.Concave[slot].PartAt(other.Part), objects.Poses[slot], one.Result.Point, one.Result.Normal);
     }
 }
 
