@@ -3,11 +3,11 @@ namespace Gjk.Core;
 /// <summary>Finds how a body that begins inside a solid gets out, over the solid's outside.</summary>
 /// <remarks>A solid's triangle has one side. A part whose middle is outside leaves by the depth of the two parts, if
 /// that leads outward; the deepest one counts, as on a surface. A part whose middle is inside is lifted across the
-/// plane of a face: the one that takes least, of those that it overlaps and those nearest to its middle. Of several
-/// parts of the body the deepest counts. Of two solids, what is behind that face without touching it leaves, too, and
-/// the shorter way out counts. In compounds, each solid, and what is in none, is treated alone, and the deepest pair of
-/// these counts.</remarks>
-internal static class SolidExit
+/// plane of a face: a triangle across one that it overlaps or one nearest to its middle, what is convex across the one
+/// that takes least of all those that lead out. Of several parts of the body the deepest counts. Of two solids, what is
+/// behind that face without touching it leaves, too, and the shorter way out counts. In compounds, each solid, and what
+/// is in none, is treated alone, and the deepest pair of these counts.</remarks>
+internal static partial class SolidExit
 {
     /// <summary>A cosine: 1e-6, some roundings of a normal. A way along a face does not lead out of it. Four times more
     /// or less only changes which of two faces at an edge is named.</summary>
@@ -99,6 +99,7 @@ internal static class SolidExit
             if (!Containment.Holds(scratch, outer, world)) continue;
             Exit exit = default;
             KeepNearestFace(scratch, outer, inner, part, world, isWhole: inner.IsMesh, ref exit);
+            if (!inner.IsTriangle(part)) exit = ShortestOf(scratch, outer, inner, part, world, exit);
             if (exit.Depth > best.Depth) best = exit;
         }
 
@@ -162,7 +163,8 @@ internal static class SolidExit
         if (isBefore && !isInside) return default;
         if (isInside) KeepNearestFace(scratch, outer, inner, part, middle, isWhole: false, ref least);
         KeepOwnFace(scratch, outer, inner, part, first, end, ref least);
-        return least;
+        bool isLifted = isInside && !inner.IsTriangle(part);
+        return isLifted ? ShortestOf(scratch, outer, inner, part, middle, least) : least;
     }
 
     /// <summary>Keeps the way across the triangle nearest to a point of a part, if that is shorter. Of several that are
