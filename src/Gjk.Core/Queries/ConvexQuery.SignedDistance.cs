@@ -15,10 +15,11 @@ public static unsafe partial class ConvexQuery
     /// touches A. The points are the deepest ones, and PointB = PointA + Normal · Distance, as it is apart.
     /// <see cref="DistanceResult.LowerBound"/> is at most the true signed distance. Touching, the distance is 0, and
     /// there is a normal too. Of several ways out that are equally short it is always the same one for the same input.
-    /// On curved cores (those that <c>Distance</c> names) the depth is within 1e-6 of the size. Where the
-    /// surface that the search builds outgrows its room (curved shapes that are concentric, hulls of thousands of
-    /// vertices deep in each other), the status is <see cref="GjkStatus.IterationLimit"/>, and the true signed distance
-    /// is between <see cref="DistanceResult.LowerBound"/> and <see cref="DistanceResult.Distance"/>.</returns>
+    /// On curved cores (those that <c>Distance</c> names) the depth is within 1e-6 of the size, and the direction
+    /// within 1e-6 rad where the way out ends on a smooth point and bends. Where the surface that the search builds
+    /// outgrows its room (curved shapes that are concentric, hulls of thousands of vertices deep in each other), the
+    /// status is <see cref="GjkStatus.IterationLimit"/>, and the true signed distance is between
+    /// <see cref="DistanceResult.LowerBound"/> and <see cref="DistanceResult.Distance"/>.</returns>
     public static DistanceResult SignedDistance<TA, TB>(in TA a, in RigidPose poseA, in TB b, in RigidPose poseB)
         where TA : struct, ISupportMap
         where TB : struct, ISupportMap

@@ -80,7 +80,7 @@ public class BuildCostOnMonoTests
         ("GjkDepth.Solve", State), ("GjkDepth.TraceStep", Trace), ("HullArc.TryWalk", State), ("HullDepth.*", State),
         ("SignedSolver.SolveDepthLast", "the common point of shapes that only touch, and else the start of a search"),
         ("SignedSolver.SolveRound", Way), ("SignedSolver.SolveLarge", Way), ("SignedSolver.TraceSearch", Trace),
-        ("SignedSolver.TraceRound", Trace), ("SmoothNormal.TryEnd", State),
+        ("SignedSolver.TraceRound", Trace), ("SmoothNormal.*", State),
         ("AdvancementSolver.Solve", State), ("AdvancementSolver.TryLeave", Back), ("CastNormal.*", State),
         ("CastPortal.Solve", State), ("CastSolver.Find", State), ("ContactFollower.Solve", State),
         ("ContactFollower.TryEnd", Back), ("DeepeningSolver.*", State),

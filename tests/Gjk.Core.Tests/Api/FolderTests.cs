@@ -88,7 +88,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Shapes"] = 1280,
         ["Simplex"] = 885,
         ["Solvers"] = 604,
-        ["Solvers/Depth"] = 1234,
+        ["Solvers/Depth"] = 1287,
         ["Solvers/Motion"] = 907,
         ["Solvers/Trace"] = 110,
         ["Sorting"] = 89,

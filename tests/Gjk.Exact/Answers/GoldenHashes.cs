@@ -13,9 +13,9 @@ public static class GoldenHashes
         ["casts"] = "0368b0538acfe0d0",
         ["impacts"] = "691cefd8934d6e93",
         ["rays"] = "503e567f26354dca",
-        ["shapes"] = "ebc5f79aeb270b61",
+        ["shapes"] = "be8bd5af713e08d6",
         ["batches"] = "02cb1d8ad93d25b4",
-        ["scenes"] = "18993dae1dcfda94",
+        ["scenes"] = "90dd6f09792a9c73",
         ["half-spaces"] = "f78c86a599dec090",
         ["masses"] = "9aeba980eb23503b",
     };

@@ -29,6 +29,7 @@ internal static class SignedSolver<TA, TB, TTrace>
             SolveDepthFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         else SolveDistanceFirst(ref a, ref b, frame, warmStart, isWarm, ref state, ref trace);
         if (isWarm) warmStart.Save(state);
+        if (SmoothNormal<TA, TB>.TrySharpen(ref a, ref b, frame, ref state)) return;
         NoTrace untold = default;
         SideNormal<TA, TB, NoTrace>.Sharpen(ref a, ref b, frame, ref state, ref untold);
     }
