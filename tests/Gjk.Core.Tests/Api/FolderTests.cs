@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 164,
         ["BroadPhase"] = 993,
-        ["Concave"] = 3805,
+        ["Concave"] = 3848,
         ["Concave/Trees"] = 635,
         ["Contacts"] = 1011,
         ["Cores"] = 566,
