@@ -33,6 +33,7 @@ internal struct PartCastSearch
 
     private PartMotion _motion;
     private TreeFrame _frame;
+    private TrianglesApart _triangles;
     private Vector3 _wayInA, _wayInB;
     private double _length, _maxFraction, _from, _to, _margins;
     private float _reached, _room;
@@ -70,6 +71,9 @@ internal struct PartCastSearch
     /// <summary>How many pairs of parts were cast, and how many pieces and distances of the bodies.</summary>
     public int QueryCount, Steps;
 
+    /// <summary>How many pairs of parts the boxes left.</summary>
+    private int _met;
+
     /// <summary>The motion, or the ray.</summary>
     public readonly PartMotion Motion => _motion;
 
@@ -83,6 +87,11 @@ internal struct PartCastSearch
     public readonly double TouchRoom =>
         Math.Max(Math.Min(_motion.Tolerance, MostRoom * Size), ImpactRoom * Size) * Beyond;
 
+    /// <summary>Parts that are apart up to this fraction are no first contact, whatever rounding makes of the
+    /// way.</summary>
+    private readonly double FurthestFraction => LastFraction
+        + (_motion.Kind == MotionKind.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0);
+
     private readonly double Size => (_frame.RadiusA + _frame.RadiusB) * _frame.Unit + _margins;
 
     /// <summary>Prepares a search.</summary>
@@ -95,16 +104,17 @@ internal struct PartCastSearch
         (_from, _to) = (0, double.PositiveInfinity);
         ComposeFrame(scratch, 0);
         Double3 way = motion.Way;
+        _triangles = new TrianglesApart(sideA, sideB, _frame, way);
         _length = motion.Kind == MotionKind.Impact
             ? way.Length + Spin(sideA, motion.A.AngularVelocity) + Spin(sideB, motion.B.AngularVelocity)
-            : Length(way);
+            : PartMotion.Length(way);
         Double3 unit = _length > 0 ? way * (1 / _length) : default;
         Double3 inA = _frame.RotationA.InverseRotate(unit);
         _wayInA = (Vector3)inA;
         _wayInB = (Vector3)_frame.Rotation.InverseRotate(-inA);
         PartA = PartB = -1;
         _isLifted = false;
-        QueryCount = Steps = 0;
+        QueryCount = Steps = _met = 0;
         _best = new ContactOrder(double.PositiveInfinity, CastStatus.Miss, 0);
         SetReached(_maxFraction);
     }
@@ -155,7 +165,7 @@ internal struct PartCastSearch
         float* bounds = stackalloc float[PartTree.Lanes];
         PartHeap heap = scratch.Heap;
         PlaneProof plane = scratch.Plane;
-        plane.Clear();
+        plane.BeginCast(scratch.A, scratch.B, search._motion.Way);
         heap.Clear();
         heap.Push(0, 0, 0);
         fixed (float* boxesA = a.Boxes, boxesB = b.Boxes)
@@ -180,18 +190,9 @@ internal struct PartCastSearch
         }
     }
 
-    /// <summary>A vector's length where its square may leave the range of double.</summary>
-    private static double Length(in Double3 v)
-    {
-        double most = v.SumOfMagnitudes;
-        if (!(most > 0)) return 0;
-        double unit = PowerOfTwo.AtMost(most);
-        return (v * (1 / unit)).Length * unit;
-    }
-
     /// <summary>The speed of a side's furthest point about its position.</summary>
     private static double Spin(PartSide side, Vector3 turn) =>
-        Length(turn) * (Length(side.Tree.Origin) + side.Tree.Radius + side.Margin) * Beyond;
+        PartMotion.Length(turn) * (PartMotion.Length(side.Tree.Origin) + side.Tree.Radius + side.Margin) * Beyond;
 
     /// <summary>Sets what bounds are compared with, for a fraction or a ray's distance.</summary>
     private void SetReached(double fraction)
@@ -220,14 +221,16 @@ internal struct PartCastSearch
     /// <summary>Casts two parts, and keeps their contact if it is the first.</summary>
     public void CastParts(ConcaveScratch scratch, int partA, int partB)
     {
+        bool isIdle = ++_met >= IdleBeforeProof && _motion.Kind == MotionKind.Cast && _length > 0;
+        if (isIdle && (_met & (_met - 1)) == 0) TrySetPlane(scratch, partA, partB);
+        if (isIdle && _triangles.StayApart(partA, partB, FurthestFraction)) return;
         QueryCount++;
 
         // Which contacts are passed depends on the whole way; so does where an impact's steps end.
         bool isImpact = _motion.Kind == MotionKind.Impact;
         bool isWhole = PartA < 0 || CollectedCasts is not null || _motion.Options.PassesShallow || isImpact;
-        double error = _motion.Kind == MotionKind.Cast ? WayError * Size / Math.Max(_length, double.Epsilon) : 0;
-        double least = _best.Solved + error;
-        var most = (float)Math.Min(_maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)least));
+        var most = (float)Math.Min(
+            _maxFraction, isWhole ? double.PositiveInfinity : RoundOff.Up((float)FurthestFraction));
         if (_motion.Kind == MotionKind.Ray)
         {
             RayCastResult met = PartQuery.RayCast(scratch.A, partA, _motion, Sides, most);
@@ -241,8 +244,6 @@ internal struct PartCastSearch
         ref readonly ConvexShape b = ref scratch.B.ShapeOf(partB, ref roomB);
         if (isImpact && !double.IsInfinity(_to) && ConvexQuery.StaysApart(
             a, _motion.A, b, _motion.B, _motion.Tolerance, (float)_maxFraction, _from, _to)) return;
-        bool isIdle = QueryCount >= IdleBeforeProof && (QueryCount & (QueryCount - 1)) == 0;
-        if (isIdle && _motion.Kind == MotionKind.Cast) TrySetPlane(scratch, partA, partB);
         CastResult found = CastShapes(a, b, _motion.B, most, _motion.Options);
         if (!found.MayHit || (CollectedCasts is null && PartA >= 0 && found.Order.CompareTo(_best) > 0)) return;
         if (_isLifted && !UnionLift.IsOutOf(found, _lifted.Pose, _lift, _wayOfLifted, 1)
@@ -284,8 +285,7 @@ internal struct PartCastSearch
         DistanceResult start = PartQuery.Distance(scratch.A, partA, scratch.B, partB, float.PositiveInfinity);
         if (start.Status != GjkStatus.Separated) return;
         scratch.Plane.SetCast(
-            scratch.A, partA, scratch.B, partB, start.Normal, (QueryCount & OtherPowers) != 0,
-            _motion.Way, LastFraction + WayError * Size / Math.Max(_length, double.Epsilon));
+            scratch.A, partA, scratch.B, partB, start.Normal, (_met & OtherPowers) != 0, FurthestFraction);
     }
 
     private readonly CastResult CastShapes(

@@ -29,4 +29,13 @@ internal readonly struct PartMotion(
     public PartMotion RestFrom(float fraction, in RigidPose poseB, in CastOptions options) => new(
         Kind, new RigidMotion(PartAdvancement.PoseAt(A, fraction), A.Velocity, A.AngularVelocity),
         new RigidMotion(poseB, B.Velocity, B.AngularVelocity), MaxFraction - fraction, Tolerance, options);
+
+    /// <summary>A vector's length where its square may leave the range of double.</summary>
+    public static double Length(in Double3 v)
+    {
+        double most = v.SumOfMagnitudes;
+        if (!(most > 0)) return 0;
+        double unit = PowerOfTwo.AtMost(most);
+        return (v * (1 / unit)).Length * unit;
+    }
 }

@@ -20,6 +20,9 @@ internal struct PartPairSearch
 
     private int _idle, _visits, _patience;
 
+    /// <summary>Set where only contacts are looked for.</summary>
+    private TrianglesApart _triangles;
+
     /// <summary>How many pairs of parts the exact query has answered.</summary>
     public int QueryCount;
 
@@ -131,6 +134,7 @@ internal struct PartPairSearch
         Best = default;
         LowerBound = float.PositiveInfinity;
         SetLimit(scratch, Math.Max(maxDistance, 0));
+        _triangles = Limit == 0 ? new TrianglesApart(scratch.A, scratch.B, Frame, default) : default;
     }
 
     private void SetLimit(ConcaveScratch scratch, float distance)
@@ -177,6 +181,13 @@ internal struct PartPairSearch
         while (filter.TryPopNearest(Reached, out int i, out int j))
         {
             int partA = scratch.A.Tree.Order[firstA + i], partB = scratch.B.Tree.Order[firstB + j];
+            if (_triangles.StayApart(partA, partB, 0))
+            {
+                _idle++;
+                LowerBound = Math.Min(LowerBound, 0);
+                continue;
+            }
+
             if (DropIf(scratch.Plane, IsFaceNoNearer(scratch, partA, partB))) continue;
             Keep(scratch, partA, partB, PartQuery.TriangleDistance(scratch.A, partA, scratch.B, partB, Limit));
             if (AllPairs is null && PartA >= 0 && Best.IsOverlapping) return;

@@ -12,11 +12,17 @@ internal sealed class PlaneProof
     /// <summary>Ratio to twice the lengths: 2^-49, 16 roundings. Rotating the normal into a shape's axes takes 15
     /// roundings at most, its product with a corner and the sums 3. With four times as much, every pair of plates a
     /// millionth apart is measured; a quarter is not proved.</summary>
-    private const double Error = 1.0 / (1L << 49);
+    public const double Error = 1.0 / (1L << 49);
 
     /// <summary>Ratio to twice the lengths: what is further apart does not touch. It is four times what the queries
     /// count as touching where a core is curved. More only costs time; SmallBesideLargeTests fails with less.</summary>
     private const double TouchRoom = 4 * GjkTolerances.TouchCurved;
+
+    /// <summary>Ratio to the sizes and the way of a cast: 2^-45, 256 roundings: triangles that stay further apart do
+    /// not meet. They touch within 16 roundings of their radii (<see cref="GjkTolerances.Touch"/>), and a plane that
+    /// was crossed counts as met within 128 of radii and way (<see cref="CastJump"/>). PlateTests asks for all parts
+    /// with the room of curved cores.</summary>
+    public const double TriangleRoom = 1.0 / (1L << 45);
 
     /// <summary>A cosine: normals that differ by less than 2e-4 are taken to be the same. Between plates a millionth of
     /// their size apart a distance's accuracy allows so much. Any unit vector gives a proof; another one only fails
@@ -28,8 +34,8 @@ internal sealed class PlaneProof
 
     private readonly Reaches _a = new(), _b = new();
     private Double3 _alongA, _alongB;
-    private double _limit, _between;
-    private Double3 _normal;
+    private double _limit, _between, _room, _wholeRoom;
+    private Double3 _normal, _way;
     private int _version, _tried;
 
     /// <summary>Whether there is a plane.</summary>
@@ -42,7 +48,15 @@ internal sealed class PlaneProof
     public float LowerBound => RoundOff.Down(_limit);
 
     /// <summary>Forgets the last query's plane.</summary>
-    public void Clear() => IsSet = false;
+    public void Clear() => (IsSet, _room, _wholeRoom) = (false, 0, 0);
+
+    /// <summary>Forgets the last query's plane, for a cast by B's motion relative to A, in the world, for the fraction
+    /// 1.</summary>
+    public void BeginCast(PartSide a, PartSide b, in Double3 way)
+    {
+        (IsSet, _way) = (false, way);
+        _room = a.Mesh is not null && b.Mesh is not null ? TriangleRoom : TouchRoom;
+    }
 
     /// <summary>Sets the plane of two parts that are apart. Parts are dropped that are no nearer than these.</summary>
     public void SetNearest(PartSide a, int partA, PartSide b, int partB, in DistanceResult best)
@@ -83,16 +97,15 @@ internal sealed class PlaneProof
     /// <param name="partB">A part of it.</param>
     /// <param name="normal">The normal of their distance.</param>
     /// <param name="isFace">Whether to take a triangle's own plane, at whatever angle to the normal.</param>
-    /// <param name="way">B's motion relative to A, in the world, for the fraction 1.</param>
     /// <param name="most">The last fraction.</param>
     public void SetCast(
-        PartSide a, int partA, PartSide b, int partB, Vector3 normal, bool isFace, in Double3 way,
-        double most)
+        PartSide a, int partA, PartSide b, int partB, Vector3 normal, bool isFace, double most)
     {
         double lengths = SetPlaneOfParts(a, partA, b, partB, normal, isFace ? 0 : Aligned);
-        double closing = Math.Max(-Double3.Dot(_normal, way), 0) + Error * way.SumOfMagnitudes;
+        double closing = Math.Max(-Double3.Dot(_normal, _way), 0) + TriangleRoom * _way.SumOfMagnitudes;
         IsSet = true;
-        _limit = TouchRoom * lengths + closing * most;
+        _limit = Error * lengths + closing * most;
+        _wholeRoom = _room * lengths;
     }
 
     /// <summary>Whether a triangle's own plane shows that two parts are no nearer.</summary>
@@ -166,26 +179,27 @@ internal sealed class PlaneProof
     }
 
     private bool IsSlabGap(TriangleMesh a, TriangleMesh b) =>
-        _between - SlabReach(a, _alongA) - SlabReach(b, _alongB) > _limit;
+        _between - SlabReach(a, _alongA) - SlabReach(b, _alongB) > _limit + _wholeRoom;
 
     /// <summary>A bound of how far a mesh reaches, without reading its vertices.</summary>
     private static double SlabReach(TriangleMesh mesh, in Double3 along) =>
         mesh.Slab?.Reach(along) ?? Double3.Dot(along, mesh.Tree.Origin) + mesh.Tree.Radius;
 
     private bool IsGap(TriangleMesh a, TriangleMesh b, int step) =>
-        _between - a.Reach(_alongA, step) - b.Reach(_alongB, step) > _limit;
+        _between - a.Reach(_alongA, step) - b.Reach(_alongB, step) > _limit + _wholeRoom;
 
     /// <summary>Whether no pair of parts below two boxes is nearer.</summary>
     public bool IsNoNearer(PartSide a, int boxA, PartSide b, int boxB) =>
-        _between - _a.BelowBox(a, boxA, _alongA, _version) - _b.BelowBox(b, boxB, _alongB, _version) > _limit;
+        _between - _a.BelowBox(a, boxA, _alongA, _room, _version) - _b.BelowBox(b, boxB, _alongB, _room, _version)
+        > _limit;
 
     /// <summary>Whether a part of A is no nearer than what is below a box of B.</summary>
     public bool IsNoNearerPart(PartSide a, int partA, PartSide b, int boxB) =>
-        _between - ReachOf(a, partA, _alongA) - _b.BelowBox(b, boxB, _alongB, _version) > _limit;
+        _between - ReachOf(a, partA, _alongA) - _b.BelowBox(b, boxB, _alongB, _room, _version) > _limit;
 
     /// <inheritdoc cref="IsNoNearerPart"/>
     public bool IsPartNoNearer(PartSide a, int boxA, PartSide b, int partB) =>
-        _between - _a.BelowBox(a, boxA, _alongA, _version) - ReachOf(b, partB, _alongB) > _limit;
+        _between - _a.BelowBox(a, boxA, _alongA, _room, _version) - ReachOf(b, partB, _alongB) > _limit;
 
     /// <summary>Replaces a normal by a triangle's own one if that is close enough, since rounding to float tilts a
     /// plane.</summary>
@@ -201,22 +215,24 @@ internal sealed class PlaneProof
         return true;
     }
 
-    /// <summary>How far a part reaches along a direction of its shape's frame.</summary>
-    public static double ReachOf(PartSide side, int part, in Double3 along)
+    /// <summary>How far a part reaches along a direction of its shape's frame, and a share of its size beyond
+    /// that.</summary>
+    public static double ReachOf(PartSide side, int part, in Double3 along, double room = 0)
     {
         if (side.Mesh is not null)
         {
             side.Mesh.GetCorners(part, out Double3 a, out Double3 b, out Double3 c);
-            return Math.Max(Math.Max(Double3.Dot(along, a), Double3.Dot(along, b)), Double3.Dot(along, c));
+            double reach = Math.Max(Math.Max(Double3.Dot(along, a), Double3.Dot(along, b)), Double3.Dot(along, c));
+            return reach + room * ((b - a).SumOfMagnitudes + (c - a).SumOfMagnitudes);
         }
 
-        ConvexShape room = default;
-        ref readonly ConvexShape shape = ref side.ShapeOf(part, ref room);
+        ref readonly ConvexShape shape = ref side.ConvexPart(part);
         shape.Support(along, out Double3 point);
-        return Double3.Dot(along, shape.Center + point) + shape.Margin;
+        return Double3.Dot(along, shape.Center + point) + shape.Margin + room * (shape.BoundingRadius + shape.Margin);
     }
 
-    private static double LengthsOf(PartSide side) =>
+    /// <summary>Twice the lengths of a side that rounding is measured by.</summary>
+    public static double LengthsOf(PartSide side) =>
         2 * (side.Tree.Origin.SumOfMagnitudes + side.Tree.Radius) + side.Margin;
 
     /// <summary>Keeps how far the parts below each box of a side reach along the normal.</summary>
@@ -225,7 +241,7 @@ internal sealed class PlaneProof
         private double[] _values = [];
         private int[] _versions = [];
 
-        public double BelowBox(PartSide side, int box, in Double3 along, int version)
+        public double BelowBox(PartSide side, int box, in Double3 along, double room, int version)
         {
             int boxes = side.Tree.Children.Length;
             if (_values.Length < boxes)
@@ -234,10 +250,10 @@ internal sealed class PlaneProof
                 _versions = new int[boxes];
             }
 
-            return Find(side, box, along, version);
+            return Find(side, box, along, room, version);
         }
 
-        private double Find(PartSide side, int box, in Double3 along, int version)
+        private double Find(PartSide side, int box, in Double3 along, double room, int version)
         {
             if (_versions[box] == version) return _values[box];
             PartTree tree = side.Tree;
@@ -246,12 +262,12 @@ internal sealed class PlaneProof
             if (child >= 0)
             {
                 for (int i = PartTree.Lanes * child; i < PartTree.Lanes * (child + 1); i++)
-                    if (tree.Children[i] != PartTree.Empty) most = Math.Max(most, Find(side, i, along, version));
+                    if (tree.Children[i] != PartTree.Empty) most = Math.Max(most, Find(side, i, along, room, version));
             }
             else
             {
                 int first = PartTree.FirstOf(child), end = first + PartTree.CountOf(child);
-                for (int i = first; i < end; i++) most = Math.Max(most, ReachOf(side, tree.Order[i], along));
+                for (int i = first; i < end; i++) most = Math.Max(most, ReachOf(side, tree.Order[i], along, room));
             }
 
             _versions[box] = version;

@@ -67,7 +67,7 @@ public class BuildCostOnMonoTests
         ("UnionLift.*", Answer), ("PartsCast.*", Answer), ("UnionCast.*", Answer),
         ("ConcaveQuery.*", Answer), ("PartQuery.*", Part), ("PartPairSearch.*", Answer), ("PartCastSearch.*", Part),
         ("Containment.*", Answer), ("SolidExit.*", Answer), ("TreeFrame.Compose", Answer),
-        ("BoxFit.TryGetSpread", Making), ("PlaneProof.*", Cover),
+        ("BoxFit.TryGetSpread", Making), ("PlaneProof.*", Cover), ("TrianglesApart.*", Part),
         ("OutwardContact.*", Contact), ("SolidInside.*", Answer),
         ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("SeamContacts.*", Contact),
         ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),

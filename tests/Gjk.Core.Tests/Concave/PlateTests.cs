@@ -80,16 +80,52 @@ public class PlateTests
         }
     }
 
+    [Theory]
+    [InlineData(1, 1e-7f)]
+    [InlineData(1, 1e-9f)]
+    [InlineData(1, 1e-12f)]
+    [InlineData(60, 1e-7f)]
+    [InlineData(60, 1e-8f)]
+    [InlineData(60, -1e-9f)]
+    [InlineData(600, 1e-7f)]
+    public void APlateThatSlidesCloselyAsksFewParts(float size, float gap)
+    {
+        var plate = AnyShape.Surface(ConcaveShapes.Grid(60).Scaled(new Vector3(size)));
+        var scratch = new ConcaveScratch();
+        for (int i = 0; i < 3; i++)
+        {
+            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, 0.4f * i);
+            var poseB = new RigidPose(turn, new Vector3(0.01f * size, gap, 0.02f * size));
+            Vector3 way = new Vector3(0.5f, 0, 0.3f) * size;
+            CastHit found = ConcaveQuery.Cast(
+                plate, RigidPose.Identity, Vector3.Zero, plate, poseB, way, scratch);
+            Assert.Equal(CastStatus.Miss, found.Status);
+            Assert.InRange(scratch.CastSearch.QueryCount, 1, 64);
+        }
+    }
+
+    [Theory]
+    [InlineData(1e-7f)]
+    [InlineData(1e-10f)]
+    public void WavesThatSlideAlongThemselvesAskFewParts(float gap)
+    {
+        var waves = AnyShape.Surface(ConcaveShapes.Grid(20, (x, _) => 0.1f * MathF.Sin(9 * x)));
+        var scratch = new ConcaveScratch();
+        var poseB = new RigidPose(Quaternion.Identity, new Vector3(0, gap, 0.02f));
+        CastHit found = ConcaveQuery.Cast(
+            waves, RigidPose.Identity, Vector3.Zero, waves, poseB, Vector3.UnitZ, scratch);
+        Assert.Equal(CastStatus.Miss, found.Status);
+        Assert.InRange(scratch.CastSearch.QueryCount, 1, 64);
+    }
+
     [Fact]
-    public void APlateThatSlidesCloselyAsksFewParts()
+    public void APlateThatIsTiltedByAMillionthAsksFewParts()
     {
         var plate = AnyShape.Surface(ConcaveShapes.Grid(60));
         var scratch = new ConcaveScratch();
-        var poseB = new RigidPose(Quaternion.Identity, new Vector3(0.01f, 1e-7f, 0.02f));
-        CastHit found = ConcaveQuery.Cast(
-            plate, RigidPose.Identity, Vector3.Zero, plate, poseB, new Vector3(0.5f, 0, 0.3f), scratch);
-        Assert.Equal(CastStatus.Miss, found.Status);
-        Assert.InRange(scratch.CastSearch.QueryCount, 1, 64);
+        var poseB = new RigidPose(Quaternion.Normalize(new Quaternion(5e-7f, 3e-7f, 0, 1)), Vector3.Zero);
+        Assert.True(ConcaveQuery.Overlaps(plate, RigidPose.Identity, plate, poseB, scratch));
+        Assert.InRange(scratch.Search.QueryCount, 1, 8);
     }
 
     [Fact]
