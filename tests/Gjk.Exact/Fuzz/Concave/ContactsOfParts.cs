@@ -123,7 +123,8 @@ internal static class ContactsOfParts
             p.PointA.Equals(q.PointA) && p.PointB.Equals(q.PointB);
 
         static bool IsInOther(RawShape shape, ConvexShape[] parts, RigidPose pose, int part, Vector3 point) =>
-            IsCompound(shape) && Enumerable.Range(0, parts.Length).Any(i => i != part && Off(parts[i], pose, point) == 0);
+            IsCompound(shape)
+                && Enumerable.Range(0, parts.Length).Any(i => i != part && Off(parts[i], pose, point) == 0);
     }
 
     /// <summary>Whether a direction is that of two parts: from them it was climbed to a corner of others.</summary>

@@ -42,7 +42,7 @@ internal static class HalfSpacePromises
         if (overlaps != r.IsOverlapping || distance.Status != r.Status || distance.Distance != Math.Max(r.Distance, 0))
             return Say.Line($"{r.Status}, {r.Distance:R}; {distance.Status}, {distance.Distance:R}; {overlaps}");
 
-        // Where rounding leaves open on which side of the plane it is, a signed distance may be below 0, a distance not.
+        // Where rounding leaves open on which side of the plane it is, a signed distance may be below 0.
         return overlaps ? null : Same.BitProblem(r, distance, "Distance", Math.Max(r.LowerBound, 0));
     }
 

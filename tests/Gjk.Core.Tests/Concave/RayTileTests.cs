@@ -2,7 +2,7 @@ namespace Gjk.Core.Tests.Concave;
 
 /// <summary>A ray that comes down exactly on a seam between flush tiles meets their top, and not the side of a tile
 /// that the next one covers.</summary>
-public class RaySeamTests
+public class RayTileTests
 {
     private readonly ConcaveScratch _scratch = new();
 
