@@ -19,9 +19,10 @@ public static partial class ConcaveQuery
     /// at the start the pair that overlaps deepest; where several are met at once, one whose normal separates all that
     /// are met at its point; then a face goes before an edge and an edge before a corner; then the least numbers. What
     /// begins inside a solid is OverlappingAtStart, with the way out over the solid's outside, of several in a compound
-    /// that of the deepest; what touches its surface
-    /// and moves into it is a hit at 0. Invalid input gives <see cref="CastStatus.InvalidInput"/>, and so does a
-    /// scratch that is null, unless both shapes are convex.</returns>
+    /// that of the deepest: for a convex part whose middle is inside, the shortest way across one of the solid's faces
+    /// that leads out. What touches its surface and moves into it is a hit at 0. Invalid input gives
+    /// <see cref="CastStatus.InvalidInput"/>, and so does a scratch that is null, unless both shapes are
+    /// convex.</returns>
     public static CastHit Cast(
         in AnyShape a, in RigidPose poseA, Vector3 translationA, in AnyShape b, in RigidPose poseB,
         Vector3 translationB, ConcaveScratch scratch, float maxFraction = 1, in CastOptions options = default)
