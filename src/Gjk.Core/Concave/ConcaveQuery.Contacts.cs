@@ -57,54 +57,23 @@ public static partial class ConcaveQuery
             return true;
         }
 
-        FindPairContacts(scratch, maxGap, contacts);
-        float deepest = DeepGap(scratch, contacts, maxGap);
+        FindPairContacts(scratch, maxGap, maxGap, contacts);
+        float deepest = DeepFaces.FindGap(scratch, contacts, maxGap);
         if (!(deepest > maxGap)) return true;
         FindPairsWithin(a, poseA, b, poseB, deepest, scratch, pairs);
-        FindPairContacts(scratch, deepest, contacts);
-        RemoveBeyond(contacts, maxGap);
+        FindPairContacts(scratch, deepest, maxGap, contacts);
+        DeepFaces.RemoveBeyond(contacts, maxGap);
         return true;
-    }
-
-    /// <summary>How far apart the parts of a solid and of what it is in may be that hold it. What of a solid is wholly
-    /// behind a surface is in no pair of parts that touch, and shows there all the same: such as the bottom of a die in
-    /// a floor, once the floor is above the bevel.</summary>
-    /// <returns>The gap that was asked for, if no contact is deeper.</returns>
-    internal static float DeepGap(ConcaveScratch scratch, List<PairContacts> contacts, float maxGap)
-    {
-        bool hasSolid = false;
-        for (int i = 0; i < Math.Max(scratch.GroundCount, 1); i++)
-        {
-            PartSide a = scratch.SideOf(i, true);
-            hasSolid |= !a.IsConvex && !scratch.B.IsConvex && (a.HasInside || scratch.B.HasInside);
-        }
-
-        if (!hasSolid) return maxGap;
-        float deepest = 0;
-        foreach (PairContacts one in contacts) deepest = Math.Max(deepest, ContactPush.LengthOf(one.Result));
-        return Math.Max(deepest, maxGap);
-    }
-
-    /// <summary>Removes the points that are further apart than a gap.</summary>
-    internal static void RemoveBeyond(List<PairContacts> contacts, float maxGap)
-    {
-        int kept = 0;
-        for (int k = 0; k < contacts.Count; k++)
-        {
-            PairContacts one = contacts[k];
-            ContactManifold near = default;
-            near.Begin(one.Manifold.Normal);
-            for (int i = 0; i < one.Manifold.Count; i++)
-                if (!(one.Manifold[i].Gap > maxGap)) near.Add(one.Manifold[i]);
-            if (near.Count > 0) contacts[kept++] = new PairContacts(one.PartA, one.PartB, one.Result, near, one.Pair);
-        }
-
-        contacts.RemoveRange(kept, contacts.Count - kept);
     }
 
     /// <summary>Finds the contacts of the scratch's pairs: those of two shapes, or of a body and the static objects
     /// that it touches, which count as one.</summary>
-    internal static void FindPairContacts(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
+    /// <param name="scratch">With both sides and the pairs.</param>
+    /// <param name="gap">World units: how far apart the parts of the pairs are at most.</param>
+    /// <param name="near">Pairs that are further apart than this count only with their faces on each other.</param>
+    /// <param name="contacts">Cleared, then the contacts.</param>
+    internal static void FindPairContacts(
+        ConcaveScratch scratch, float gap, float near, List<PairContacts> contacts)
     {
         List<PairDistance> pairs = scratch.Pairs;
         contacts.Clear();
@@ -114,8 +83,13 @@ public static partial class ConcaveQuery
         scratch.AtPoint.Clear();
         scratch.AreAnyTouching = false;
         foreach (PairDistance pair in pairs) scratch.AreAnyTouching |= !(pair.Result.Distance > 0);
-        for (int i = 0; i < pairs.Count; i++) SeamContacts.Find(scratch, pairs[i], maxGap, contacts);
-        SeamContacts.RemoveCovered(scratch, maxGap, contacts);
+        for (int i = 0; i < pairs.Count; i++)
+        {
+            if (pairs[i].Result.Distance > near && !DeepFaces.AreLevel(scratch, pairs[i])) continue;
+            SeamContacts.Find(scratch, pairs[i], gap, contacts);
+        }
+
+        SeamContacts.RemoveCovered(scratch, gap, contacts);
         if (scratch.A.MayHoldParts || scratch.B.MayHoldParts) ContactPush.RemoveNeedless(scratch, contacts);
         ContactPush.AddNeeded(scratch, contacts);
         TouchLine.RemoveBeside(scratch, contacts);

@@ -92,7 +92,8 @@ internal static class ContactPush
         return isOther ? face.OfOwnParts : one;
     }
 
-    /// <summary>Keeps the deepest contact of each pair of parts, given sorted contacts.</summary>
+    /// <summary>Keeps the deepest contact of each pair of parts, with the points of another one along the same way;
+    /// given sorted contacts.</summary>
     private static void RemoveTwice(List<PairContacts> contacts)
     {
         int kept = 0;
@@ -100,10 +101,28 @@ internal static class ContactPush
         {
             PairContacts one = contacts[i];
             if (kept == 0 || contacts[kept - 1].CompareTo(one) != 0) contacts[kept++] = one;
-            else if (one.Result.Distance < contacts[kept - 1].Result.Distance) contacts[kept - 1] = one;
+            else if (one.Result.Distance < contacts[kept - 1].Result.Distance)
+                contacts[kept - 1] = WithPointsOf(one, contacts[kept - 1]);
+            else contacts[kept - 1] = WithPointsOf(contacts[kept - 1], one);
         }
 
         contacts.RemoveRange(kept, contacts.Count - kept);
+    }
+
+    private static PairContacts WithPointsOf(in PairContacts deeper, in PairContacts other)
+    {
+        if (!deeper.Manifold.Normal.Equals(other.Manifold.Normal)) return deeper;
+        ContactManifold all = deeper.Manifold;
+        double same = Room * DeepestPoint.CoordinateSum(deeper.Result);
+        for (int i = 0; i < other.Manifold.Count && all.Count < ContactManifold.Capacity; i++)
+        {
+            bool isThere = false;
+            for (int j = 0; j < all.Count; j++)
+                isThere |= ((Double3)all[j].PointB - other.Manifold[i].PointB).Length <= same;
+            if (!isThere) all.Add(other.Manifold[i]);
+        }
+
+        return new PairContacts(deeper.PartA, deeper.PartB, deeper.Result, all, deeper.Pair);
     }
 
     /// <summary>Adds the push of a contact, unless one of its direction is as deep. What is level, as a pair is

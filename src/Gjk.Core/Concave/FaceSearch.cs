@@ -145,11 +145,11 @@ internal ref struct FaceSearch(ConcaveScratch scratch, in PairContacts own, in C
     /// <summary>Whether the other body's part may be pushed along a face to which it leans: along the larger body's
     /// face, or where the two faces are level.</summary>
     private static bool MayLean(PartSide mesh, PartSide other, int part, in ConvexShape shape, in Double3 face) =>
-        IsLarger(mesh, other, shape) || (!other.IsJoined && IsLevel(other, part, face));
+        IsLarger(mesh, other, shape) || (other.Mesh is not null && !other.IsJoined && IsLevel(other, part, face));
 
-    private static bool IsLevel(PartSide other, int part, in Double3 face)
+    /// <summary>Whether a triangle lies level across a direction in the world.</summary>
+    public static bool IsLevel(PartSide other, int part, in Double3 face)
     {
-        if (other.Mesh is null) return false;
         Double3 across = other.ToWorldDirection(ContactCone.NormalOf(other, part));
         return Double3.Cross(across, face).Length <= Level;
     }

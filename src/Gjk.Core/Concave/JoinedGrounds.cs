@@ -25,14 +25,15 @@ internal static class JoinedGrounds
 
     /// <summary>Finds the contacts of the body with all of them.</summary>
     /// <param name="scratch">With the grounds, at least one.</param>
-    /// <param name="maxGap">In world units.</param>
+    /// <param name="gap">In world units.</param>
+    /// <param name="near">See <see cref="ConcaveQuery.FindPairContacts"/>.</param>
     /// <param name="contacts">Cleared, then the contacts. A of a pair is the number of the static object in the
     /// scratch.</param>
-    public static void FindContacts(ConcaveScratch scratch, float maxGap, List<PairContacts> contacts)
+    public static void FindContacts(ConcaveScratch scratch, float gap, float near, List<PairContacts> contacts)
     {
         PartSide own = scratch.A;
         scratch.A = scratch.Grounds[0];
-        ConcaveQuery.FindPairContacts(scratch, maxGap, contacts);
+        ConcaveQuery.FindPairContacts(scratch, gap, near, contacts);
         scratch.A = own;
     }
 

@@ -253,6 +253,10 @@ internal static class SeamContacts
         PairContacts contact = own;
         if (fit == ContactFit.Ghost)
         {
+            // Along no face of the convex part, what the mesh climbs to may be deep where the two are not.
+            if (point.Gap * ContactPush.MuchLess < own.Result.Distance
+                && MetFeatures.Of(shape, convex.Pose, (Vector3)outward, out _) != MetFeature.Face)
+                return false;
             ContactManifold manifold = default;
             manifold.Begin((Vector3)normal);
             manifold.Add(isConvexA ? point : point.Swapped);

@@ -69,13 +69,13 @@ internal sealed class SceneUnions(SceneObjects objects)
         }
 
         if (scratch.GroundCount == 0) return;
-        JoinedGrounds.FindContacts(scratch, maxGap, scratch.Joined);
-        float deepest = ConcaveQuery.DeepGap(scratch, scratch.Joined, maxGap);
+        JoinedGrounds.FindContacts(scratch, maxGap, maxGap, scratch.Joined);
+        float deepest = DeepFaces.FindGap(scratch, scratch.Joined, maxGap);
         if (deepest > maxGap)
         {
             JoinGrounds(begin, end, pairs, answers, deepest, scratch);
-            JoinedGrounds.FindContacts(scratch, deepest, scratch.Joined);
-            ConcaveQuery.RemoveBeyond(scratch.Joined, maxGap);
+            JoinedGrounds.FindContacts(scratch, deepest, maxGap, scratch.Joined);
+            DeepFaces.RemoveBeyond(scratch.Joined, maxGap);
         }
 
         var body = (int)(_keys[begin] >> 32);

@@ -71,7 +71,7 @@ public class BuildCostOnMonoTests
         ("OutwardContact.*", Contact), ("SolidInside.*", Answer),
         ("CoveredSides.*", Cover), ("PartsCover.*", Cover), ("PairsAtPoint.*", Cover), ("SeamContacts.*", Contact),
         ("ContactPush.*", Contact), ("FlushSides.*", Contact), ("FaceSearch.*", Contact), ("TipContact.*", Contact),
-        ("TouchLine.*", Contact),
+        ("TouchLine.*", Contact), ("DeepFaces.*", Contact),
         ("DeepestPoint.*", Contact),
         ("AxialDepth.*", State), ("CornerDepth.*", Way), ("CylinderDepth.*", Way), ("PairForm.*", Way),
         ("BoxDepth.Solve", State), ("BoxDepthPoints.Find", "once, for the ends of the way that was found"),

@@ -35,7 +35,7 @@ public class ClosedMeshOnCompoundTests
     }
 
     /// <summary>Deeper than the gap and than its bevel, and not quite level: the corners of its bottom are in no
-    /// triangle that meets the floor's, and are held all the same, each of them.</summary>
+    /// triangle that meets the floor's, and it stands on them all the same.</summary>
     [Theory]
     [InlineData(1e-6f)]
     [InlineData(1e-4f)]
@@ -57,20 +57,43 @@ public class ClosedMeshOnCompoundTests
                 Assert.True(contacts.All(one => one.Manifold.Normal.Y > 0.999f), what);
                 foreach ((int x, int z) in new[] { (1, 1), (1, -1), (-1, 1), (-1, -1) })
                 {
-                    Vector3 corner = at.Position
-                        + Vector3.Transform(new Vector3(0.45f * x, -0.5f, 0.45f * z), at.Rotation);
-                    Assert.True(contacts.Any(one => Nearest(one, corner) < 0.02f), $"{corner}, {what}");
+                    Vector3 corner = Vector3.Transform(new Vector3(0.45f * x, 0, 0.45f * z), at.Rotation);
+                    float most = contacts.Max(one => Furthest(one, corner, at.Position));
+                    Assert.True(most > 0.8f * corner.LengthSquared(), $"{corner}, {what}");
                 }
             }
         }
 
-        static float Nearest(PairContacts one, Vector3 corner)
+        static float Furthest(PairContacts one, Vector3 way, Vector3 middle) => Enumerable
+            .Range(0, one.Manifold.Count).Max(i => Vector3.Dot(one.Manifold[i].PointB - middle, way));
+    }
+
+    /// <summary>On a bevelled cube that stands still: a pair whose own way leads along no face is not pushed along that
+    /// by what the mesh climbs to. Along a bevel's face, at half a right angle, a box is deeper by a root of 2 at
+    /// most.</summary>
+    [Theory]
+    [InlineData(0.001f)]
+    [InlineData(0.005f)]
+    [InlineData(0.02f)]
+    public void ABoxOnABevelledCubeIsNoDeeperThanItStands(float depth)
+    {
+        AnyShape crate = Bevelled(0.5f);
+        foreach (ConvexShape body in new[] { ConvexShape.Box(new Vector3(0.5f)), ConvexShape.Cylinder(0.4f, 0.5f) })
         {
-            float nearest = float.PositiveInfinity;
-            for (int i = 0; i < one.Manifold.Count; i++)
-                nearest = Math.Min(nearest, (one.Manifold[i].PointB - corner).Length());
-            return nearest;
+            for (int i = 0; i < Budget.Count(100); i++)
+            {
+                var rng = new Rng((ulong)i);
+                var at = new RigidPose(
+                    Quaternion.CreateFromAxisAngle(Vector3.UnitY, rng.Float(0, 6)),
+                    new Vector3(rng.Float(-0.2, 0.2), 1 - depth, rng.Float(-0.2, 0.2)));
+                List<PairContacts> contacts = [];
+                Assert.True(ConcaveQuery.FindContacts(crate, s_here, AnyShape.Of(body), at, 0.01f, _scratch, contacts));
+                Assert.All(contacts, one => Assert.True(one.Result.Distance > -1.42f * depth, $"{i}: {one}"));
+                Assert.Equal(-depth, contacts.Where(one => one.Manifold.Normal.Y > 0.999f).Min(Deepest), 1e-5f);
+            }
         }
+
+        static float Deepest(PairContacts one) => one.Result.Distance;
     }
 
     private List<PairContacts> Contacts(string floor, in AnyShape body, in RigidPose at)

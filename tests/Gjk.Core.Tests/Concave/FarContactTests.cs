@@ -51,7 +51,7 @@ public class FarContactTests
                 JoinedGrounds.Add(_scratch, part.Shape, part.Pose, box, 0, float.PositiveInfinity);
             }
 
-            JoinedGrounds.FindContacts(_scratch, float.PositiveInfinity, _contacts);
+            JoinedGrounds.FindContacts(_scratch, float.PositiveInfinity, float.PositiveInfinity, _contacts);
         }
         else
         {
