@@ -12,13 +12,15 @@ internal static class DeepFaces
     /// <returns>The gap, if no level faces are deeper.</returns>
     public static float FindGap(ConcaveScratch scratch, List<PairContacts> contacts, float maxGap)
     {
+        PartSide b = scratch.B;
         float deepest = maxGap;
+        if (b.IsConvex) return deepest;
         foreach (PairContacts one in contacts)
         {
-            PartSide a = scratch.SideOf(one.Pair.A, true), b = scratch.B;
+            PartSide a = scratch.SideOf(one.Pair.A, true);
             float length = ContactPush.LengthOf(one.Result);
             if (!(-one.Result.Distance > maxGap && length > deepest)) continue;
-            if (a.IsConvex || b.IsConvex || !(a.HasInside || b.HasInside)) continue;
+            if (a.IsConvex || !(a.HasInside || b.HasInside)) continue;
             Double3 way = one.Manifold.Normal;
             if (HasLevelFace(a, one.PartA, way) && HasLevelFace(b, one.PartB, way)) deepest = length;
         }

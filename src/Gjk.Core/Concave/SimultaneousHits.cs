@@ -35,13 +35,8 @@ internal static class SimultaneousHits
 
     /// <summary>Whether a shape reaches past the plane of a contact: then the side that was met there is no side of the
     /// two together.</summary>
-    public static bool Covers(in ConvexShape shape, in RigidPose pose, Vector3 point, Vector3 normal)
-    {
-        RotationD turn = new(pose.Rotation);
-        shape.Support(turn.InverseRotate(normal), out Double3 furthest);
-        Double3 placed = turn.Rotate(shape.Center + furthest) + pose.Position;
-        return Double3.Dot(normal, placed - point) + shape.Margin > Level * shape.BoundingRadius;
-    }
+    public static bool Covers(in ConvexShape shape, in RigidPose pose, Vector3 point, Vector3 normal) =>
+        Double3.Dot(normal, FlushSides.Furthest(shape, pose, normal) - point) > Level * shape.BoundingRadius;
 
     private static bool Separates(ConcaveScratch scratch, in CastHit hit, in Double3 inA, in Double3 inB)
     {

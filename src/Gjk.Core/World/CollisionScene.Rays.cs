@@ -2,8 +2,9 @@ namespace Gjk.Core;
 
 public sealed partial class CollisionScene
 {
-    /// <summary>The object that a ray meets first; of several at the same distance, rounded to float, the one with the
-    /// least id. Where the ray begins in objects, that is one of these, at distance 0.</summary>
+    /// <summary>The object that a ray meets first; of several that are met at once, as on a seam between tiles, one
+    /// whose side no other of them covers, then the one with the least id. Where the ray begins in objects, that is one
+    /// of these, at distance 0.</summary>
     /// <param name="ray">The ray.</param>
     /// <param name="hit">The object, or -1 where there is none, the part, and where the ray meets it, with the bits of
     /// <c>ConvexQuery.RayCast</c>; a miss where there is none. An object whose query ends with

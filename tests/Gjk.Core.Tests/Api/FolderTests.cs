@@ -73,7 +73,7 @@ public class FolderTests(ITestOutputHelper output)
         ["Arithmetic"] = 128,
         ["Batch"] = 164,
         ["BroadPhase"] = 993,
-        ["Concave"] = 4063,
+        ["Concave"] = 4062,
         ["Concave/Trees"] = 648,
         ["Contacts"] = 1011,
         ["Cores"] = 566,
